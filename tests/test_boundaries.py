@@ -61,7 +61,7 @@ SHOWN_BY = {
     "api": "tests/test_notebooks.py",
     "report/note/plan_figure": "tests/core/report/test_key_plan.py",
     "codes/evidence": "tests/core/codes/test_verdict.py",
-    "case/arch": "tests/core/case/test_spanning.py",
+    **dict.fromkeys(("case/hold_rules", "case/meaningful"), "tests/core/case/test_hold.py"),
     "derivation/arch": "tests/core/derivation/test_wall.py",
     "report/note/arch_figure": "tests/core/report/test_bending_figure.py",
     "case/wall_columns": "tests/core/case/test_wall_table.py",

@@ -56,7 +56,7 @@ PLAIN = {"mechanism": "two_sided", "height_m": 3.0, "thickness_m": 0.3}
 CORNER = {"length_1_m": 2.4, "length_2_m": 2.4, "thickness_2_m": 0.6}
 PUSHED = {"mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 3.39, "unit_weight_kn_m3": 18.0}
 LOAD = {"kind": "thrust", "kn_m": 200.0, "h_m": 2.0}
-BEHIND = {"unit_weight_kn_m3": 18.0, "back_restraint": "other", "restraint_note": "floors tied"}
+BEHIND = {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact"}]}
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from app.look import theme
 from app.look.labels import PlainLabel, escape_html
 from app.look.language import FORM_NAMES, current_language, key_text, tr
 from app.look.whole_text import tell_whole
+from core.case.hold import Document
 from core.case.keys import unit_in_form
 from core.case.loads import Bars, ReturnWalls
 from core.case.place import Site
@@ -34,7 +35,7 @@ SECTION_NAMES = {
 }
 """Sections of a case; errors of a wall name the wall."""
 
-WALL_SECTIONS: dict[type, str] = {Wall: "", Bars: ".bar]", ReturnWalls: ".return_walls]"}
+WALL_SECTIONS: dict[type, str] = {Wall: "", Bars: ".bar]", ReturnWalls: ".return_walls]", Document: ".evidence]"}
 """Sections of a wall, and how the place of an error inside one ends."""
 
 OF_A_PART = r"\[\[\w+\]\] \d+|\[wall\.\w+\]"

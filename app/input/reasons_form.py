@@ -51,7 +51,6 @@ def favourable_wall_keys(case: Case, wall: Wall) -> set[str]:
         "velocity_ratio": wall.velocity_ratio is not None,
         "restitution": wall.restitution not in (None, "user") and not MODELS[wall.restitution].by_theory,
         "return_walls": wall.return_walls is not None,
-        "arch": wall.arch is not None,
         "corner": wall.corner is not None,
         "leaf": wall.leaf is not None,
         "return_wedges": wall.return_wedges is not None,

@@ -13,6 +13,7 @@ from app.input.drawn_values import DrawnValues
 from app.input.editors import Choice
 from app.input.fields import Field, clear_fields, connect
 from app.input.hinges_field import HingesField
+from app.input.holds_form import HoldsForm
 from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
@@ -38,7 +39,6 @@ from app.look.language import FORM_NAMES, current_language, describe_message, nu
 from app.look.section import FoldingSection, unfold_to
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
-from core.case.arch import Between
 from core.case.loads import ReturnWalls
 from core.case.solids import InPlan
 from core.case.values import check_value
@@ -55,8 +55,7 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-RESTRAINT_KEYS = "back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m"
-BASE_KEYS = "base_z_m", *RESTRAINT_KEYS, "free_element", "all_directions"
+BASE_KEYS = "base_z_m", "free_element", "all_directions"
 """Keys beside the mechanism."""
 
 
@@ -81,6 +80,7 @@ class WallForm(WallEditor):
         self.differs = PlainLabel()
         self.differs.setWordWrap(True)
         self.impact = ImpactForm(session, lambda: self.current)
+        self.holds = HoldsForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
         self.body = BodyForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
@@ -95,8 +95,6 @@ class WallForm(WallEditor):
         empty = ReturnWalls(TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN, TO_BE_GIVEN)
         title = tr("Friction of return walls (in α0 only)")
         self.across = OptionalGroup(title, "return_walls", empty, lambda: self.wall, self.edit)
-        title = tr("Span between the transverse walls (horizontal bending)")
-        self.arch = OptionalGroup(title, "arch", Between(TO_BE_GIVEN), lambda: self.wall, self.edit)
         title, given = tr("Place in the key plan"), [TO_BE_GIVEN] * 4
         self.plan = OptionalGroup(title, "plan", InPlan(*given), lambda: self.wall, self.edit)
         base = [self.fields[key] for key in BASE_KEYS]
@@ -106,7 +104,8 @@ class WallForm(WallEditor):
                 tr("Geometry"), [self.fields["name"], self.shape, *self.shape_fields], open=True
             ),
             "body": FoldingSection(tr("Shape"), [self.body]),
-            "mechanism": FoldingSection(tr("Mechanism and base"), [self._mechanism(), *base, self.arch], open=True),
+            "mechanism": FoldingSection(tr("Mechanism and base"), [self._mechanism(), *base], open=True),
+            "holds": FoldingSection(tr("What holds it"), [self.holds], open=True),
             "loads": FoldingSection(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
             "held": FoldingSection(
                 tr("Tie to be designed, return walls"),
@@ -131,9 +130,9 @@ class WallForm(WallEditor):
             self._show_sizes,
             self._show_fields,
             self.impact.show_case,
+            self.holds.show_case,
             self.loads.show_case,
             self.across.show_case,
-            self.arch.show_case,
             self.plan.show_case,
             self.body.show_case,
             self.reasons.show_case,
@@ -264,12 +263,6 @@ class WallForm(WallEditor):
             if isinstance(field, HingesField):
                 field.show_usual(wall, self.session.case.building)
         # only what the mechanism needs, and what stands there all the same
-        held = wall.mechanism in ("one_sided", "both", BENDS)
-        self.fields["restraint_kn_m"].setVisible(wall.mechanism == BENDS or wall.restraint_kn_m is not None)
-        self.arch.setVisible(wall.mechanism in ("one_sided", "both", ARCHES) or wall.arch is not None)
-        self.fields["back_restraint"].setVisible(held or bool(wall.back_restraint))
-        for key in ("restraint_evidence", "restraint_note"):
-            self.fields[key].setVisible(bool(wall.back_restraint) or bool(getattr(wall, key)))
         self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
         self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
         self.fields["all_directions"].setVisible(wall.mechanism == "two_sided" or wall.all_directions)
@@ -277,7 +270,7 @@ class WallForm(WallEditor):
         for name, said in unused_history_sections(wall).items():
             self.sections[name].setVisible(not wall.bends or said)
         doubts = input_questions(wall)
-        for field in (*self.fields.values(), *self.loads.fields):
+        for field in (*self.fields.values(), *self.holds.fields, *self.loads.fields):
             field.show_doubt(doubts.get(field.key, ""))
 
     def _show_contents(self) -> None:
@@ -374,8 +367,6 @@ class WallForm(WallEditor):
     def _mechanism_chosen(self, name: str) -> None:
         wall = require_value(self.wall)
         values: dict[str, Any] = {"mechanism": name}
-        if name != BENDS:
-            values["restraint_kn_m"] = None
         if name != "one_sided" and wall.restitution and MODELS[wall.restitution].one_sided:
             values["restitution"] = None
         self.edit(**values)

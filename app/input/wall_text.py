@@ -22,7 +22,7 @@ from core.errors import InputError
 from core.setting.demand_input import read_demand
 from core.study import wall_result
 from core.study.variants import changed_keys
-from core.text.sentence import choice, notice
+from core.text.sentence import capital, choice, notice
 from core.wall.block import Block
 
 OF_ONE = "law_of_a_set", "law_of_one_record"
@@ -218,6 +218,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
     base = "" if wall.base_z_m is None else tr("base {z} m", z=number(wall.base_z_m, "g"))
     kinds = [load_kind_text(load) for load in wall.load]
     carries = [f"{kinds.count(kind)} × {kind}" for kind in dict.fromkeys(kinds)]
+    kinds_held = dict.fromkeys(hold.kind for hold in wall.hold if hold.kind)
     held = []
     if wall.tie_height_m is not None:
         held.append(tr("tie at {z} m", z=number(wall.tie_height_m, "g")))
@@ -234,6 +235,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
         "geometry": ", ".join(filter(None, (height, thickness))),
         "body": ", ".join(shape_words(wall)) or tr("rectangle"),
         "mechanism": ", ".join(filter(None, (result_word(wall.mechanism) if wall.mechanism else "", base))),
+        "holds": ", ".join(capital(choice(kind, current_language())) for kind in kinds_held) or tr("nothing"),
         "loads": ", ".join(carries) or (tr("nothing, confirmed") if wall.unloaded_confirmed else tr("nothing")),
         "held": ", ".join(held) or tr("none"),
         "hinges": tr("usual")

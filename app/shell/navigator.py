@@ -245,6 +245,10 @@ class Navigator(QObject):
             self.then_input(self.walls.add_variant)
             self.walls.sections["loads"].unfold()  # a tie, or less thrust
             self.walls.loads.add_button.setFocus()
+        elif what == "holds":
+            self.show_input("wall")
+            self.walls.sections["holds"].unfold()
+            self.walls.holds.focus_missing()
         elif what == "generate":
             self.show_input("records")
             self.records.generate()

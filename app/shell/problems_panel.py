@@ -188,6 +188,7 @@ class ProblemsPanel(QFrame):
         if row is not None:
             window.navigator.show_input("wall", row)
             window.walls.body.point_at(error)
+            window.walls.holds.point_at(error)
         if row is not None and load is not None:
             window.walls.loads.list.setCurrentRow(load)
         here = self._place_of(error)

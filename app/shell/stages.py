@@ -85,9 +85,16 @@ def name_sections() -> None:
             "[wall.corner]": tr("Corner of two walls that turn together"),
             "[wall.plan]": tr("Place in the key plan"),
             "[wall.leaf]": tr("Outer leaf that comes off"),
-            "[wall.arch]": tr("Span between the transverse walls (horizontal bending)"),
+            "[wall.evidence]": tr("Evidence"),
+            "[[wall.hold]]": tr("What holds it"),
+            "evidence": tr("Evidence"),
+            "hold": tr("What holds it"),
             **{name: code.name for name, code in CODES.items()},
-            **{f"[[load]] {k}": place("load", n=k).text(current_language()) for k in range(1, 100)},
+            **{
+                f"[[{kind}]] {k}": place(kind, n=k).text(current_language())
+                for kind in ("load", "hold")
+                for k in range(1, 100)
+            },
         }
     )
 

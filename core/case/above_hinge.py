@@ -56,6 +56,7 @@ def cut_above_hinge(wall: Wall, hinge: float) -> Wall:
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
         hinge_heights=None,
         load=loads,
+        hold=tuple(above for hold in wall.hold if (above := hold.above(hinge)) is not None),
         unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),
         tie_height_m=None
         if wall.tie_height_m is None or wall.tie_height_m < hinge + MIN_HEIGHT_ABOVE

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.solids import Leaf
 from core.case.wall import Wall
@@ -33,7 +34,6 @@ def make_leaf_wall(wall: Wall) -> Wall:
         steps=(),
         return_wedges=None,
         return_walls=None,
-        arch=None,
         leaf=None,
         load=(*loads, *_connectors(leaf, require_value(wall.height_m))),
         unloaded_confirmed=wall.unloaded_confirmed and not leaf.connector_kn_m,
@@ -41,8 +41,14 @@ def make_leaf_wall(wall: Wall) -> Wall:
         tie_bar_length_m=None,
         tie_elongation_m=None,
         tie_spacing_m=None,
-        restraint_evidence=wall.restraint_evidence if wall.justification and wall.justification.leaf else None,
+        hold=tuple(_behind_leaf(hold, wall) for hold in wall.hold),
     )
+
+
+def _behind_leaf(hold: Hold, wall: Wall) -> Hold:
+    """What holds a wall as it stands behind its leaf: shown where the engineer says why the leaf does."""
+    shown = wall.justification is not None and bool(wall.justification.leaf)
+    return replace(hold.alone, evidence=hold.evidence if shown else None)
 
 
 def leaf_label(leaf: Leaf) -> str:

@@ -58,8 +58,7 @@ def isolate_wall(case: Case, k: int) -> Case:
     building, wall = case.building, add_floor_loads(case.wall[k], case.building)
     if building is not None and building.floors:
         case = replace(case, building=replace(building, floors=()))
-    if wall.arch is not None and wall.arch.corner_wall:
-        wall = replace(wall, arch=replace(wall.arch, corner_wall="", corner_side=None))
+    wall = replace(wall, hold=tuple(replace(hold, corner_wall="", corner_side=None) for hold in wall.hold))
     return replace(case, wall=(wall,))
 
 
@@ -152,7 +151,7 @@ class WallSetChecker:
                     raise InputError("wall_not_there", place=here, key=key, found=name)
         pushes: dict[tuple[str, int], dict[str, tuple[float, float]]] = {}
         for wall, name in self.pushed:
-            here = (place("wall", name=wall.title), place("arch"))
+            here = (place("wall", name=wall.title), place("hold", n=1 + wall.hold.index(require_value(wall.arch))))
             if name not in self.corners:
                 said = {"found": name, "corner": Key("[wall.corner]")}
                 raise InputError("corner_not_there", place=here, key="corner_wall", **said)

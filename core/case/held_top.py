@@ -54,12 +54,6 @@ def check_bends(wall: Wall) -> None:
         bending(moving.in_si)
 
 
-def check_hold(wall: Wall) -> None:
-    """Raise InputError where a strength of what holds the top is said of a wall that is not held there."""
-    if wall.restraint_kn_m is not None and wall.mechanism != BENDS:
-        raise InputError("hold_of_bending", place=(place("wall", name=wall.title),), key="restraint_kn_m")
-
-
 def mirror_inward(wall: Wall) -> Wall:
     """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
     one; a step that keeps one face plumb keeps the other."""

@@ -14,6 +14,7 @@ from core.case.spans_between_ties import cut_span, find_bending_spans, multiplie
 from core.case.wall import ARCHES, Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
+from core.known import require_value
 from core.wall.solids import SNAP, changes, contact_at
 
 FLOORS, BASE = "floors", "base"
@@ -70,7 +71,7 @@ class WallPart:
     def own_name(self) -> str:
         """Name of the wall as people read it, without the variant."""
         if self.wall.arch is not None and self.top is not None and self.wall.mechanism == ARCHES:
-            return named_spanning(self.body.name, self.wall.arch.spacing_m)
+            return named_spanning(self.body.name, require_value(self.wall.arch.spacing_m))
         if self.top is not None:
             return named_between(self.body.name, self.hinge, self.top)
         return part_name(self.body.name, self.hinge)
@@ -98,8 +99,8 @@ def find_unchecked_hinges(part: WallPart, building: Building | None) -> tuple[fl
     if part.hinge > 0.0 or not part.turns or (wall.justification and wall.justification.hinge_heights):
         return ()
     asked = wall.hinge_heights
-    if building is not None and building.modes and (free := highest_hold(wall, building)) is not None:
-        return (free,)  # the participation of the modes is known at one height alone
+    if (building is None or building.modes) and (free := highest_hold(wall, building)) is not None:
+        return (free,)  # what moves it there is not known, the participation of modes at one height alone
     if asked is None:
         return () if building else default_hinges(wall, None)
     looked = turning_hinges(wall, building)
@@ -196,34 +197,38 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
 
 
 def highest_hold(wall: Wall, building: Building | None) -> float | None:
-    """Height above the base of a one-sided wall up to which something holds it [m]: the top of its building, or a tie
-    above that. What stands above is free, and rocks to both sides (C8.7.1.2.1.3: porzioni svettanti). None of a wall
-    that does not reach higher by more than it is thick there, which does not rock, that begins there, or whose building
-    is not known."""
-    if building is None or wall.mechanism != "one_sided" or wall.height_m is None or wall.corner is not None:
+    """Height above the base of a one-sided wall up to which something holds it [m]: its highest hold, or a tie above
+    that. What stands above is free, and rocks to both sides (C8.7.1.2.1.3: porzioni svettanti). None of a wall that
+    does not reach higher by more than it is thick there, which does not rock, that begins there, or of which nobody
+    says how far it is held."""
+    if wall.mechanism != "one_sided" or wall.height_m is None or wall.corner is not None:
         return None
-    height = building.height_m - (wall.base_z_m or 0.0)
-    if height <= 0.0:
+    tops = _tops_of_holds(wall, building)
+    if None in tops or not tops:
         return None
-    held = max([height, *(load.h_m for load in wall.load if load.is_tie)])
+    held = max([*(top for top in tops if top is not None), *(load.h_m for load in wall.load if load.is_tie)])
+    if held <= 0.0:
+        return None
     faces = contact_at(wall.parts, held) if wall.parts and held < wall.height_m else None
     thickness = faces[1] - faces[0] if faces else wall.thickness or 0.0
     return held if wall.height_m - held > max(MIN_FREE_HEIGHT, thickness) else None
+
+
+def _tops_of_holds(wall: Wall, building: Building | None) -> list[float | None]:
+    """Heights above the base of a wall up to which each of its holds holds it [m]; None of one whose end nobody
+    says."""
+    least = [require_value(hold.h_m) for hold in wall.hold if hold.kind in ("floor", "roof")]
+    least = [max(least)] if least else []
+    least += [wall.shoulder] if wall.gable_m else []
+    least += [building.height_m - (wall.base_z_m or 0.0)] if building else []
+    return [hold.top(least) for hold in wall.hold]
 
 
 def make_free(wall: Wall) -> Wall:
     """The part of a wall above what holds it, which rocks to both sides; itself where its loads let it stand to one
     side alone."""
     free = replace(
-        wall,
-        mechanism="two_sided",
-        restitution=None,
-        velocity_ratio=None,
-        law="auto",
-        free_element=None,
-        back_restraint=None,
-        restraint_evidence=None,
-        restraint_note="",
+        wall, mechanism="two_sided", restitution=None, velocity_ratio=None, law="auto", free_element=None, hold=()
     )
     return free if free.in_si.rocks_both_ways else wall
 

@@ -5,15 +5,16 @@ from dataclasses import fields, replace
 from typing import NamedTuple
 
 from core.case.above_hinge import numbers_above
-from core.case.back_restraint import denies_restraint, is_meaningful
 from core.case.detached import check_leaf
 from core.case.directions import check_directions
 from core.case.floor_loads import WallSetChecker, add_floor_loads, check_floors, check_floors_on, floor_at
 from core.case.hazard_table import check_rising
-from core.case.held_top import check_bends, check_held_top, check_hold
+from core.case.held_top import check_bends, check_held_top
 from core.case.hinges import WallPart, check_hinges, make_wall_parts, turning_hinges
+from core.case.hold_rules import check_holds
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
+from core.case.meaningful import is_meaningful
 from core.case.place import HERE, Site, apply_site, fill_from_site
 from core.case.schema import Analysis, Case, Generate, Record, Report
 from core.case.select import Select
@@ -281,7 +282,7 @@ def _check_alone(wall: Wall) -> None:
         check_design(wall)
         check_given(wall)
         check_held_top(wall)
-        check_hold(wall)
+        check_holds(wall)
         check_arch(wall)
         check_leaf(wall)
         check_directions(wall)
@@ -331,13 +332,8 @@ def _check_with_floors(wall: Wall, whole: Wall, building: Building | None) -> No
 
 
 def _check_reasons(wall: Wall) -> None:
-    """Refuse reasons and notes of a wall that say nothing."""
+    """Refuse reasons of a wall that say nothing."""
     check_reasons(wall.justification, place("wall", name=wall.title))
-    note = wall.restraint_note
-    if wall.back_restraint == "other" and not is_meaningful(note):
-        raise InputError("restraint_unnamed", place=(place("wall", name=wall.title),), key="restraint_note")
-    if note.strip() and (not is_meaningful(note) or denies_restraint(note)):
-        raise InputError("note_says_nothing", place=(place("wall", name=wall.title),), key="restraint_note", value=note)
 
 
 def _check_exact(case: Case, wall: Wall) -> None:

@@ -2,8 +2,7 @@
 
 from dataclasses import replace
 
-from core.case.arch import Between
-from core.case.back_restraint import BETWEEN
+from core.case.hold import Hold
 from core.case.load_rules import MAX_STRAIN
 from core.case.loads import Load
 from core.case.wall import ARCHES, Wall
@@ -43,7 +42,7 @@ def make_spanning_part(wall: Wall) -> Wall:
         load += [own] if more > 0.0 else []
     return replace(
         wall,
-        name=named_spanning(wall.title, wall.arch.spacing_m),
+        name=named_spanning(wall.title, require_value(wall.arch.spacing_m)),
         mechanism=ARCHES,
         thickness_m=thickness,
         slenderness_deg=None,
@@ -59,9 +58,7 @@ def make_spanning_part(wall: Wall) -> Wall:
         tie_bar_length_m=None,
         tie_elongation_m=None,
         tie_spacing_m=None,
-        back_restraint="cross_walls",
-        restraint_evidence=wall.restraint_evidence if wall.back_restraint in BETWEEN else None,
-        restraint_kn_m=None,
+        hold=(wall.arch,),
         unloaded_confirmed=wall.unloaded_confirmed and not wall.load,
         gable_m=None,
         out_of_plumb_m=None,
@@ -92,11 +89,11 @@ def whole_courses(wall: Wall) -> float:
     return left
 
 
-def _check_along(given: Between, inside) -> None:
+def _check_along(given: Hold, inside) -> None:
     """Refuse ties along the wall that do not reach from end to end, or an elongation their bars cannot have."""
     length, stands = require_value(given.tie_bar_length_m), require_value(given.tie_elongation_m)
-    if length < given.spacing_m:
-        raise InputError("arch_bar", place=inside, key="tie_bar_length_m", found=length, least=given.spacing_m)
+    if length < (spacing := require_value(given.spacing_m)):
+        raise InputError("arch_bar", place=inside, key="tie_bar_length_m", found=length, least=spacing)
     if stands < given.at_yield:
         least = {"found": stands, "least": given.at_yield}
         raise InputError("tie_elongation_below_yield", place=inside, key="tie_elongation_m", **least)
@@ -110,14 +107,14 @@ def check_arch(wall: Wall) -> None:
     here = (place("wall", name=wall.name),)
     if (given := wall.arch) is None:
         if wall.mechanism == ARCHES:
-            raise InputError("arch_missing", place=here, key="arch", arch=Key("[wall.arch]"))
+            raise InputError("arch_missing", place=here, key="spacing_m", arch=Key("[[wall.hold]]"))
         return
-    inside = (*here, place("arch"))
+    inside = (*here, place("hold", n=1 + wall.hold.index(given)))
     if wall.mechanism not in ("one_sided", "both", ARCHES):
         raise InputError("arch_mechanism", place=inside, found=wall.mechanism)
     for key, size in (("height_m", wall.height_m), ("thickness_m", wall.thickness)):
         if size is None:
-            raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
+            raise InputError("arch_needs", place=here, key=key, arch=Key("spacing_m"))
     if wall.solid or wall.corner or (wall.has_shape and wall.mechanism == ARCHES):
         raise InputError("arch_rectangle", place=inside)
     if not whole_courses(wall):
@@ -139,8 +136,8 @@ def check_arch(wall: Wall) -> None:
             raise InputError("arch_key", place=here, key=key)
     if wall.law not in ("auto", "rigid"):
         raise InputError("arch_key", place=here, key="law")
-    said = {"tie": Key("tie_kn_m"), "arch": Key("[wall.arch]")}
+    keys = {"tie": Key("tie_kn_m"), "arch": Key("[[wall.hold]]")}
     for n, load in enumerate(wall.load, start=1):
         if load.is_tie:
-            raise InputError("arch_tie", place=(*here, place("load", n=n)), key="kind", **said)
+            raise InputError("arch_tie", place=(*here, place("load", n=n)), key="kind", **keys)
     bending(wall.in_si)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from core.case.above_hinge import solid_of
+from core.case.hold import Document, Hold
 from core.case.loads import Load
 from core.case.shape import cut_between
 from core.case.wall import BENDS, Wall
@@ -113,10 +114,13 @@ def multiplier_at_yield(wall: Wall) -> float:
     return side.sine * math.tan(masonry.block.slenderness) + side.cosine
 
 
-def _is_shown(wall: Wall) -> bool:
-    """Whether the engineer says what shows the ties: evidence of the restraint behind the wall is none of them."""
-    reasons = wall.justification
-    return reasons is not None and bool(reasons.anchorage_kn or reasons.elongation_m)
+def _shown(wall: Wall) -> Document | None:
+    """What shows the ties of a wall, where the engineer says it: what shows that something stands behind the wall is
+    none of them."""
+    reasons, holds = wall.justification, wall.held_by
+    if reasons is None or holds is None or not (reasons.anchorage_kn or reasons.elongation_m):
+        return None
+    return holds.evidence
 
 
 def named_between(name: str, low: float, high: float) -> str:
@@ -170,11 +174,8 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
         tie_bar_length_m=None,
         tie_elongation_m=None,
         tie_spacing_m=None,
-        back_restraint="other",
-        restraint_evidence=wall.restraint_evidence if _is_shown(wall) else None,
-        arch=None,
-        restraint_kn_m=math.inf,  # the tie: what it stands is looked at where the stretch is chosen
-        restraint_note=f"tie, catena: {high:.4g} m",
+        # what the tie stands is looked at where the stretch is chosen
+        hold=(Hold("tie", h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),),
     )
 
 

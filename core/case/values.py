@@ -8,11 +8,12 @@ from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
 from core.case.hinges import BASE, FLOORS
+from core.case.hold_rules import refuse_old_keys
 from core.case.keys import is_required
 from core.case.number import parse_number
 from core.case.schema import OWN_FIELDS
 from core.case.sensitivity import MAX_ADDED, MAX_FACTOR, MIN_FACTOR
-from core.case.wall import MIN_ELASTIC
+from core.case.wall import MIN_ELASTIC, Wall
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
 from core.text.sentence import Key, Sentence, sentence
@@ -44,6 +45,8 @@ def field_of(cls, key: str):
 def refuse_unknown(cls, table: dict, here) -> None:
     """Refuse keys that are not of this section. here : its place"""
     keys = [entry.name for entry in fields(cls) if entry.name not in OWN_FIELDS]
+    if cls is Wall:
+        refuse_old_keys(table, here)
     for key in table:
         if key not in keys:
             near = difflib.get_close_matches(key, keys, 1)

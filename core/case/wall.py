@@ -5,8 +5,7 @@ import math
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
-from core.case.arch import Between
-from core.case.back_restraint import EVIDENCE, RESTRAINTS, holds_only_there, upgrade_restraint_keys
+from core.case.hold import AT_A_HEIGHT, Hold
 from core.case.keys import choice_key, flag_key, key, number_key, section_to_dict, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
@@ -17,7 +16,7 @@ from core.errors import InputError, place
 from core.known import require_value
 from core.text.sentence import Key, sentence
 from core.wall.arch import Arch
-from core.wall.bending import spread_over
+from core.wall.bending import TOP_TOLERANCE, spread_over
 from core.wall.block import Block
 from core.wall.impact import Restitution
 from core.wall.masonry import ARCHES, BENDS, Declared, Masonry, base_length, weight_per_metre
@@ -39,7 +38,6 @@ class WallJustification:
     restitution: str = text_key()
     law: str = text_key()
     return_walls: str = text_key()
-    arch: str = text_key()
     return_wedges: str = text_key()
     corner: str = text_key()
     leaf: str = text_key()
@@ -92,13 +90,10 @@ class Wall(Shaped):
     free_element: bool | None = flag_key(None, form="checks")
     all_directions: bool = flag_key(form="checks")
     elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
-    back_restraint: str | None = choice_key(*RESTRAINTS, default=None, form="checks")
-    restraint_evidence: str | None = choice_key(*EVIDENCE, default=None, form="checks")
-    restraint_note: str = text_key(form="checks")
-    restraint_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True, form="checks")
     unloaded_confirmed: bool = flag_key(form="checks")
     floor: str = text_key(form="checks")
     notes: str = text_key(form="checks")
+    hold: tuple[Hold, ...] = key("tables", (), of=Hold, columns="hold{n}_")
     load: tuple[Load, ...] = key("tables", (), of=Load, columns="load{n}_")
     return_walls: ReturnWalls | None = key("section", of=ReturnWalls, columns="across_")
     solid: tuple[Solid, ...] = key("tables", (), of=Solid, columns="solid{n}_")
@@ -109,7 +104,6 @@ class Wall(Shaped):
     out_of_plumb_m: float | None = number_key(0.0, 2.0, unit="m", form_unit="cm", form="body")
     return_wedges: Wedges | None = key("section", of=Wedges, columns="wedges_")
     corner: Corner | None = key("section", of=Corner, columns="corner_")
-    arch: Between | None = key("section", of=Between, columns="arch_")
     leaf: Leaf | None = key("section", of=Leaf, columns="leaf_")
     plan: InPlan | None = key("section", of=InPlan, columns="plan_")
     tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
@@ -121,12 +115,11 @@ class Wall(Shaped):
 
     @staticmethod
     def upgrade_keys(table: dict) -> dict:
-        """The keys of a wall as they are now: what stands behind it was a free text before 0.16. A type of masonry
-        gives the unit weight that is left out, where the table has one for it."""
+        """The keys of a wall with the unit weight that is left out, where the table of masonry types has one."""
         masonry = TYPES.get(str(table.get("masonry")))
         if masonry and "unit_weight_kn_m3" not in table and masonry.weight[0] == masonry.weight[1]:
             table = table | {"unit_weight_kn_m3": masonry.weight[0]}
-        return upgrade_restraint_keys(table)
+        return table
 
     @property
     def title(self) -> str:
@@ -193,14 +186,39 @@ class Wall(Shaped):
             loads=tuple(load.in_si(self.length_m) for load in self.load),
             across=None if across is None else across.in_si(),
             arch=self._arch(),
-            declared=Declared(
-                self.back_restraint,
-                self.restraint_evidence,
-                self.restraint_note,
-                self.unloaded_confirmed,
-                holds_only_there(self.back_restraint, self.restraint_note) and self.arch is None,
-                None if self.restraint_kn_m is None else 1e3 * self.restraint_kn_m,
-            ),
+            declared=self._declared(),
+        )
+
+    @property
+    def arch(self) -> Hold | None:
+        """The cross walls or buttresses between which it spans; None where how far apart they are is not said."""
+        return next((hold for hold in self.hold if hold.spacing_m is not None), None)
+
+    @property
+    def held_by(self) -> Hold | None:
+        """What stands behind it, holds its top or its ends: contact along the wall before what is only in places."""
+        if self.mechanism == ARCHES:
+            return self.arch
+        if self.mechanism == BENDS:
+            return next((hold for hold in self.hold if self._holds_top(hold)), None)
+        return next((hold for hold in self.hold if not hold.only_there), next(iter(self.hold), None))
+
+    def _holds_top(self, hold: Hold) -> bool:
+        height, top = require_value(self.height_m), hold.h_m if hold.kind in AT_A_HEIGHT else None
+        return top is not None and abs(top - height) <= TOP_TOLERANCE * height
+
+    def _declared(self) -> Declared:
+        if (hold := self.held_by) is None:
+            return Declared(unloaded=self.unloaded_confirmed)
+        shown = hold.evidence
+        note = ", ".join(filter(None, (hold.name, *((shown.reference, shown.note) if shown else ()))))
+        return Declared(
+            hold.kind,
+            shown.kind if shown else None,
+            note,
+            self.unloaded_confirmed,
+            hold.only_there,
+            None if hold.out_kn_m is None else 1e3 * hold.out_kn_m,
         )
 
     def _arch(self) -> Arch | None:
@@ -210,16 +228,16 @@ class Wall(Shaped):
             return None
         here = (place("wall", name=self.name),)
         if self.arch is None:
-            raise InputError("arch_missing", place=here, key="arch", arch=Key("[wall.arch]"))
+            raise InputError("arch_missing", place=here, key="spacing_m", arch=Key("[[wall.hold]]"))
         height, thickness = self.height_m, self.thickness
         weight, strength = self.unit_weight_kn_m3, self.compressive_strength_mpa
         if height is None or thickness is None or weight is None or strength is None:
             given = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": weight}
             key = next((key for key, value in given.items() if value is None), "compressive_strength_mpa")
-            raise InputError("arch_needs", place=here, key=key, arch=Key("[wall.arch]"))
+            raise InputError("arch_needs", place=here, key=key, arch=Key("spacing_m"))
         thrust = sum(1e3 * abs(require_value(load.kn_m)) for load in self.load if load.kind == "thrust")
-        presses = thrust * self.arch.spacing_m / spread_over(height)
-        return self.arch.in_si(height, thickness, 1e3 * weight, 1e6 * strength, presses)
+        presses = thrust * require_value(self.arch.spacing_m) / spread_over(height)
+        return self.arch.arch_in_si(height, thickness, 1e3 * weight, 1e6 * strength, presses)
 
     @cached_property
     def as_json(self) -> str:

@@ -2,10 +2,12 @@
 
 import functools
 import re
+from collections.abc import Iterable
 from dataclasses import Field, fields
 from typing import NamedTuple
 
 from core.case.hinges import BASE, FLOORS
+from core.case.hold import HOLDS, PRESENCE, STRENGTH
 from core.case.keys import NESTED
 from core.case.number import parse_quantity
 from core.case.rules import parse_wall
@@ -23,33 +25,45 @@ _LATER = re.compile(r"[a-z]+[2-9]_")
 
 
 class Column(NamedTuple):
-    """What stands in a column: the key, and the titles it may have, in small letters."""
+    """What stands in a column: the key, the titles it may have, in small letters, and the words of its choices beside
+    those of a case file."""
 
     entry: Field
     titles: frozenset[str]
+    words: dict[str, str] = {}
 
 
 @functools.cache
 def columns() -> dict[str, Column]:
     """Name of a column -> column, of every key of a wall, also of those of its loads and return walls: "load1_kn_m",
-    "across_friction". One of these is called by the title of the load and by its own, the first by the former alone."""
+    "across_friction", and of what shows a hold. One of these is called by the title of the load and by its own, the
+    first by the former alone."""
     by_name = {}
     for entry in fields(Wall):
         if entry.metadata["kind"] not in NESTED:
-            by_name[entry.name] = Column(
-                entry,
-                frozenset((entry.name, *(title for k in range(len(LANGUAGES)) for title in _titles(entry.name, k)))),
-            )
+            titles = (entry.name, *(title for k in range(len(LANGUAGES)) for title in _titles(entry.name, k)))
+            by_name[entry.name] = Column(entry, frozenset(titles), WORDS_OF_CHOICE.get(entry.name, {}))
         for n in range(1, MAX_LOADS + 1) if "columns" in entry.metadata else ():
-            inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
-            for k, inner in enumerate(inside):
-                name = entry.metadata["columns"].format(n=n) + inner.name
-                titles = {name}
-                for language, whole in enumerate(CATALOGUE["key"][f"{entry.name}.column"]):
-                    before = whole.format(n=n)
-                    ends = [f" {title}" for title in _titles(inner.name, language)]
-                    titles |= {before + end for end in (*ends, *([""] if k == 0 else []))}
-                by_name[name] = Column(inner, frozenset(titles))
+            whole = [title.format(n=n) for title in CATALOGUE["key"][f"{entry.name}.column"]]
+            by_name.update(_columns_of(entry, n, whole))
+    return by_name
+
+
+def _columns_of(entry: Field, n: int, before: list[str]) -> dict[str, Column]:
+    """Columns of a section inside another. n : of which, from 1; before : its title in each language"""
+    by_name = {}
+    inside = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] not in NESTED]
+    for k, inner in enumerate(inside):
+        name = entry.metadata["columns"].format(n=n) + inner.name
+        titles = {name, *(before if k == 0 else ())}
+        for language, title in enumerate(before):
+            titles |= {f"{title} {end}" for end in _titles(inner.name, language)}
+        by_name[name] = Column(inner, frozenset(titles), WORDS_OF_CHOICE.get(f"{entry.name}.{inner.name}", {}))
+    if (
+        document := next((inner for inner in fields(entry.metadata["of"]) if inner.name == "evidence"), None)
+    ) is not None:
+        both = zip(before, CATALOGUE["key"]["evidence.column"], strict=True)
+        by_name.update(_columns_of(document, n, [f"{title} {word}" for title, word in both]))
     return by_name
 
 
@@ -95,8 +109,30 @@ MECHANISMS = {
     "vertical bending": "vertical_bending",
     "horizontal bending": "horizontal_bending",
 }
-WORDS_OF_CHOICE = {"mechanism": MECHANISMS, "kind": LOAD_KINDS, "mass": LOAD_MASSES}
+
+
+def _catalogue_words(names: Iterable[str]) -> dict[str, str]:
+    """Word of a choice in each language, in small letters, and its name -> its name."""
+    shown = CATALOGUE["word"]
+    return {word.lower(): name for name in names for word in (*shown[f"choice_{name}"], name)}
+
+
+WORDS_OF_CHOICE = {
+    "mechanism": MECHANISMS,
+    "load.kind": LOAD_KINDS,
+    "load.mass": LOAD_MASSES,
+    "hold.kind": _catalogue_words(HOLDS),
+    "evidence.kind": _catalogue_words((*PRESENCE, *STRENGTH)),
+}
 """Key -> its words in a table; another choice is written as in the case file."""
+
+OLD_COLUMNS = {
+    **dict.fromkeys(("back_restraint", "restraint", "vincolo"), "hold1_kind"),
+    **dict.fromkeys(("restraint_evidence", "evidence of the restraint", "prova del vincolo"), "hold1_evidence_kind"),
+    **dict.fromkeys(("restraint_note", "note on the restraint", "nota sul vincolo"), "hold1_evidence_note"),
+    **dict.fromkeys(("restraint_kn_m", "hold", "tenuta"), "hold1_out_kn_m"),
+}
+"""Titles of older tables -> the column that says the same now."""
 
 UNIT_WORDS = ("u.m.", "u.m", "unità", "unita", "unit", "units")
 """What stands above or before a row of units."""
@@ -180,7 +216,7 @@ def _column_of(error: InputError, keys: list) -> int | None:
         if not isinstance(part, Sentence):
             continue
         values = dict(part.values)
-        if part.code in ("load", "solid"):
+        if part.code in ("load", "solid", "hold"):
             key = f"{part.code}{values['n']}_{key}"
         elif inside := re.fullmatch(r"\[\[(\w+)\]\] (\d+)", str(values.get("name", ""))):
             key = field_of(Wall, inside[1]).metadata["columns"].format(n=inside[2]) + str(key)
@@ -194,6 +230,9 @@ def _gather(table: dict) -> None:
             continue
         starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MAX_LOADS + 1))
         parts = [{key.removeprefix(at): table.pop(key) for key in list(table) if key.startswith(at)} for at in starts]
+        for part in parts:
+            shown = {key.removeprefix("evidence_"): part.pop(key) for key in list(part) if key.startswith("evidence_")}
+            part.update({"evidence": shown} if shown else {})
         if given := [part for part in parts if part]:
             table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]
 
@@ -207,6 +246,8 @@ def _heads(cells: list[str]) -> list[str]:
         name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
         if name.replace(" ", "_") in ("variant_of", "variante_di"):
             raise InputError("variant_of_in_table", column=cell[:60])
+        if name in OLD_COLUMNS:
+            raise InputError("old_column", column=cell[:60], written=OLD_COLUMNS[name])
         if name not in known:
             first = (name for name in columns() if not _LATER.match(name))
             raise InputError("unknown_column", column=cell[:60], known=", ".join(first))
@@ -268,12 +309,10 @@ def _unknown_unit(text: str, head: str, unit: str, alone: bool = False) -> Input
 
 def _cell(key: str, factor: float, cell: str, here: Sentence):
     """Read the value of a cell. here : its place, for an error"""
-    entry = columns()[key].entry
+    entry, words = columns()[key].entry, columns()[key].words
     kind = entry.metadata["kind"]
-    if entry.name in WORDS_OF_CHOICE:
-        return _one_of(
-            cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, WORDS_OF_CHOICE[entry.name], here
-        )
+    if words:
+        return _one_of(cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, words, here)
     if kind in ("text", "choice", "law", "polygon"):
         return cell
     if kind == "flag":

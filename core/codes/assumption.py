@@ -10,10 +10,10 @@ GIVEN, DEFAULT, LEFT_OUT, DECLARED = "given", "default", "left_out", "declared"
 """Where a value comes from: typed, of the program where a clause permits it, of the program for want of one, said by
 the engineer of what no program can see."""
 
-RESTRAINT = "back_restraint"
+RESTRAINT = "hold"
 """Key of what stands behind a wall or holds its top; its reason is what shows it."""
 
-ARCH = "arch"
+ARCH = "evidence"
 """Key of what the ends of a wall between its transverse walls push against."""
 
 SETBACK_KEY = "hinge_setback_m"

@@ -191,24 +191,20 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
     return said
 
 
-ENDS = "cross_walls", "buttress", "other"
-"""What can hold the ends of a wall between transverse walls."""
-
-
 def _of_what_holds(seen: Evidence) -> list[Sentence]:
     """What is not known of what restrains a wall: behind it, between its cross walls, or at its top."""
     wall, declared = seen.wall, seen.wall.declared
     if seen.mechanism == "one_sided":
         if not declared.restraint:
             return [reason("no_restraint")]
-        return [reason("no_arch", arch=Key("[wall.arch]"))] if declared.only_there else []
+        return [reason("no_arch", arch=Key("spacing_m"))] if declared.only_there else []
     if not wall.bends:
         return []
     if wall.arch is not None:
-        return [] if declared.restraint in ENDS else [reason("no_end_restraint")]
-    if declared.restraint in (None, "cross_walls"):
+        return []
+    if declared.restraint is None:
         return [reason("no_top_restraint")]
-    return [reason("no_hold_strength", key=Key("restraint_kn_m"))] if declared.strength is None else []
+    return [reason("no_hold_strength", key=Key("out_kn_m"))] if declared.strength is None else []
 
 
 def _of_the_stations(seen: Evidence) -> list[Sentence]:

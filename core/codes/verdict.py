@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from core.codes.assumption import (
     ALL_TOGETHER_KEY,
+    ARCH,
     DECLARED,
     KEYS_WITHOUT_LIMIT,
     KEYS_WITHOUT_WORDS,
@@ -30,13 +31,12 @@ from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sen
 from core.units import G
 
 TO_MEND = {
-    "no_restraint": Sentence("reason", "to_no_restraint", (("key", Key("back_restraint")),)),
+    "no_restraint": Sentence("reason", "to_no_restraint", (("key", Key("hold")),)),
     "no_top_restraint": Sentence(
-        "reason", "to_no_top_restraint", (("key", Key("back_restraint")), ("one_sided", Sentence("word", "one_sided")))
+        "reason", "to_no_top_restraint", (("key", Key("hold")), ("one_sided", Sentence("word", "one_sided")))
     ),
-    "no_end_restraint": Sentence("reason", "to_no_restraint", (("key", Key("back_restraint")),)),
-    "no_hold_strength": Sentence("reason", "to_no_hold_strength", (("key", Key("restraint_kn_m")),)),
-    "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("[wall.arch]")),)),
+    "no_hold_strength": Sentence("reason", "to_no_hold_strength", (("key", Key("out_kn_m")),)),
+    "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("spacing_m")),)),
     "heights_left_out": Sentence("reason", "to_hinges", (("building", Key("[building]")),)),
     "hinges_as_asked": Sentence(
         "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
@@ -223,8 +223,8 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
         return [mend for mend in mends if mend.code in ("to_building", "to_no_check", "to_weaker_records")]
     if code == "indicative":
         for row in assumed:
-            if row.words in blocking and row.key == RESTRAINT and row.source == DECLARED:
-                actions.append(reason("to_evidence", key=Key("restraint_evidence")))
+            if row.words in blocking and row.source == DECLARED and row.key in (RESTRAINT, ARCH):
+                actions.append(reason("to_evidence", key=Key("evidence")))
             elif row.words in blocking and row.key in KEYS_WITHOUT_WORDS:
                 actions.append(reason("to_usual", key=Key(row.key)))
             elif row.words in blocking and row.key not in (ALL_TOGETHER_KEY, RESTRAINT):

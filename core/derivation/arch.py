@@ -99,7 +99,7 @@ def _pull(wall: WallResult) -> float:
     """What the ties along the wall pull at d_SLV [N/m]."""
     asked, given = wall.wall, require_value(wall.wall.arch)
     own = replace(given, shoulder_length_m=None, shoulder_thickness_m=None)
-    alone = replace(asked, arch=own, compressive_strength_mpa=asked.compressive_strength_mpa).in_si.arch
+    alone = replace(asked, hold=(own,), compressive_strength_mpa=asked.compressive_strength_mpa).in_si.arch
     return require_value(alone).thrust
 
 
@@ -126,7 +126,7 @@ def geometry(wall: WallResult) -> Section:
         lines += [Line(AT_YIELD, given.at_yield, RUN, VALUE), Line(DEVELOPED, 1e-3 * _pull(wall), RUN, VALUE)]
     if given.with_shoulder:
         sizes = require_value(given.shoulder_length_m), require_value(given.shoulder_thickness_m)
-        apart = parted_flat(given.spacing_m, thickness)
+        apart = parted_flat(require_value(given.spacing_m), thickness)
         lines += [Line(SHOULDER_LENGTH, sizes[0], INPUT, VALUE), Line(SHOULDER_THICKNESS, sizes[1], INPUT, VALUE)]
         lines.append(Line(parted, apart, note=FULL))
         lines.append(Line(by_shoulder, thrust_of_shoulder(*sizes, height, weight, apart), note=FULL))

@@ -133,7 +133,7 @@ class CheckInput:
         if masonry.arch is not None:
             return (limit_of_ends(*self._moving["outward"]),) if masonry.arch.thrust > MIN_THRUST else ()
         strength = masonry.declared.strength
-        if strength is None or math.isinf(strength) or not self.wall.back_restraint:
+        if strength is None or math.isinf(strength):
             return ()
         return tuple(
             limit for side, (wall, moving) in self._moving.items() for limit in limits_of_bending(wall, moving, side)

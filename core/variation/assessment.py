@@ -16,6 +16,7 @@ from core.codes.verdict import Verdict, make_verdict, passes_with_q2
 from core.codes.verdict_sentence import restraint_phrase
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
+from core.known import require_value
 from core.mechanism.holds import BASE, ENDS, TOP
 from core.setting.check_input import CheckInput
 from core.setting.floors import LOW_CODE, building_notes
@@ -184,8 +185,8 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     """Sentences on what stands behind a wall or holds its top, as it is declared. free : the wall without it, None
     where it does not stand or no check follows it: what is not known turns what passes, but of a wall that stays at
     rest to either side"""
-    wall, named = evaluation.scene.wall, bool(evaluation.scene.wall.back_restraint)
-    shown = wall.restraint_evidence not in (None, "none")
+    wall, hold = evaluation.scene.wall, evaluation.scene.wall.held_by
+    shown = hold.evidence if hold else None
     code = "top_fails" if wall.bends else "restraint_fails"
     if wall.mechanism == ARCHES:
         code = "ends_fail"
@@ -198,13 +199,13 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     return Assumption(
         RESTRAINT,
         sentence("reason", code, zeta=Number(zeta), restraint=restraint_phrase(wall.in_si.declared)),
-        sentence("word", f"choice_{wall.back_restraint}") if named else sentence("accepted", "missing"),
+        sentence("word", f"choice_{hold.kind}") if hold else sentence("accepted", "missing"),
         sentence("accepted", "none"),
-        DECLARED if named else LEFT_OUT,
+        DECLARED if hold else LEFT_OUT,
         zeta,
         free.outcome if free else "undetermined",
         turns=evaluation.satisfied and not (stays or (free is not None and free.satisfied)),
-        reason=sentence("word", f"evidence_{wall.restraint_evidence}") if named and shown else "",
+        reason=sentence("word", f"evidence_{shown.kind}") if shown else "",
     )
 
 
@@ -226,7 +227,7 @@ def _overturning(scene: CheckInput, cancelled: Callable[[], bool]) -> Evaluation
     if not wall.bends or not carries(wall):
         return None
     try:
-        alone = replace(wall, mechanism="one_sided", arch=None)
+        alone = replace(wall, mechanism="one_sided", hold=tuple(hold.alone for hold in wall.hold))
         free = scene.replace_parts(wall=alone, mechanism="one_sided")
         return evaluate(free, other=False, cancelled=cancelled)
     except InputError:
@@ -235,7 +236,7 @@ def _overturning(scene: CheckInput, cancelled: Callable[[], bool]) -> Evaluation
 
 def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
     """What the ends of a wall push against: without it nothing holds the wall between its transverse walls."""
-    reasons = evaluation.scene.wall.justification
+    hold = require_value(evaluation.scene.wall.arch)
     value = sentence("added", "thrust_of_ends", thrust=1e-3 * arch.thrust)
     return Assumption(
         ARCH,
@@ -246,7 +247,7 @@ def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
         0.0,
         "not_verified",
         turns=evaluation.satisfied,
-        reason=reasons.arch if reasons else "",
+        reason=sentence("word", f"evidence_{require_value(hold.evidence).kind}") if hold.shows_strength else "",
     )
 
 
@@ -265,7 +266,7 @@ def _of_bending(kinematic: KinematicAnalysis, wall: Wall, with_histories: bool) 
             parted = moved.parted(moved.rotation(kinematic.d_limit))
             limits.append(sentence("reason", "arch_parts", mm=1e3 * parted, stands=1e3 * arch.stands))
         return limits
-    if wall.restraint_kn_m is None or math.isinf(wall.restraint_kn_m):
+    if kinematic.wall.declared.strength in (None, math.inf):
         limits.append(sentence("reason", "top_force", force=1e-3 * mechanism.top_force))
     moved = kinematic.moved.bending or mechanism
     if mechanism.highest or moved.highest:

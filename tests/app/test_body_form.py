@@ -18,6 +18,7 @@ from app.look.drawing import WallDrawing, outline
 from app.look.language import tr
 from app.look.section import unfold_to
 from app.work.session import Session
+from core.case.hold import Hold
 from core.case.reader import read_case
 from core.case.solids import Opening, Solid, Step, Wedges
 from core.case.wall import Wall
@@ -35,7 +36,7 @@ def field(form, key):
 def body(opened):
     """The form of the shape of a wall of 6 x 0.5 m, 4 m long."""
     sizes = {"height_m": 6.0, "thickness_m": 0.5, "length_m": 4.0, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0}
-    opened.session.edit_wall(0, mechanism="one_sided", slenderness_deg=None, back_restraint="tied_floors", **sizes)
+    opened.session.edit_wall(0, mechanism="one_sided", slenderness_deg=None, hold=(Hold("contact"),), **sizes)
     assert opened.session.problem() is None
     unfold_to(opened.walls.body)
     return opened.walls.body

@@ -32,7 +32,7 @@ spectrum = { code = "EN1998", type = 1, soil = "B" }
 HELD = """[[wall]]
 name = "held"
 mechanism = "vertical_bending"
-back_restraint = "floor"
+hold = [{ kind = "contact" }]
 height_m = 3.0
 thickness_m = 0.3
 unit_weight_kn_m3 = 18.0

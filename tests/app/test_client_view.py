@@ -16,7 +16,7 @@ from core.study.run import run
 from tests.app.driving import settle
 
 WALL = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
-WALL |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "unloaded_confirmed": True}
+WALL |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls"}], "unloaded_confirmed": True}
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
 
 

@@ -11,7 +11,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.input.reasons_form import favourable_demand_keys, favourable_wall_keys
-from core.case.arch import Between
 from core.case.loads import Bars, Load, ReturnWalls
 from core.case.rules import parse_case, parse_draft
 from core.case.site import Building, BuildingMode, DemandJustification, HazardRow, Spectrum
@@ -60,7 +59,6 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         unit_weight_kn_m3=18.0,
         return_walls=ReturnWalls(2, 0.4, 0.2, 0.3),
         return_wedges=Wedges(2, 0.4, 2.0),
-        arch=Between(5.0),
         corner=Corner(2.0, 2.0, 0.4),
         leaf=Leaf(0.2),
         load=(
@@ -122,7 +120,7 @@ WALL = {
     "mechanism": "one_sided",
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
-    "back_restraint": "cross walls",
+    "hold": [{"kind": "cross_walls"}],
     "unloaded_confirmed": True,
 }
 ACROSS = {"number": 4, "thickness_m": 0.5, "brick_height_m": 0.2, "brick_length_m": 0.4}

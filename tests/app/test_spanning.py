@@ -3,15 +3,16 @@
 from pathlib import Path
 
 from tests.core.case.test_spanning import BUILDING, DEMAND, TIE, WALL
+from tests.holds import between
 
-ARCH = {"spacing_m": 5.0, **TIE}
+SPANS = {"hold": between(5.0, **TIE)}
 
 
 def result_of():
     from core.case.rules import parse_case
     from core.study.run import run
 
-    table = {"wall": [{**WALL, "arch": ARCH}], "demand": DEMAND, "building": BUILDING}
+    table = {"wall": [{**WALL, **SPANS}], "demand": DEMAND, "building": BUILDING}
     return run(parse_case({**table, "generate": {"count": 1}, "analysis": {"q_step": 0.05}}), base_dir=Path())
 
 
@@ -37,7 +38,7 @@ def test_that_the_drawing_has_a_plan_where_the_case_says_how_far_the_walls_stand
     from app.look.plan_drawing import plan_of
     from core.case.rules import parse_case
 
-    wall, bare = (parse_case({"wall": [table]}).wall[0] for table in ({**WALL, "arch": ARCH}, WALL))
+    wall, bare = (parse_case({"wall": [table]}).wall[0] for table in ({**WALL, **SPANS}, WALL))
     assert plan_of(wall).strip.height == 5.0 and plan_of(bare) is None
     opened.walls.drawing.show_wall(wall)
     with_plan = opened.walls.drawing.grab().toImage()
@@ -45,14 +46,42 @@ def test_that_the_drawing_has_a_plan_where_the_case_says_how_far_the_walls_stand
     assert with_plan != opened.walls.drawing.grab().toImage()
 
 
-def test_that_what_holds_the_top_goes_with_the_mechanism_it_is_of(opened, application):
-    opened.session.edit_wall(0, mechanism="vertical_bending", restraint_kn_m=40.0)
+def test_that_holds_are_added_changed_and_shown_by_a_document(opened, application):
+    form, session = opened.walls.holds, opened.session
+    session.edit_wall(0, mechanism="one_sided", hold=())
     opened.walls.show_case()
-    assert opened.walls.fields["restraint_kn_m"].isVisibleTo(opened.walls)
-    opened.walls.mechanisms["two_sided"].click()
-    assert opened.session.case.wall[0].restraint_kn_m is None
-    assert not opened.walls.fields["restraint_kn_m"].isVisibleTo(opened.walls)
-    assert opened.walls.mechanisms["horizontal_bending"].text().split() == ["horizontal", "bending"]
+    form.add("floor")
+    (hold,) = session.case.wall[0].hold
+    assert (hold.kind, hold.h_m) == ("floor", session.case.wall[0].height_m)
+    shown = {field.key for field in form.fields if not field.isHidden()}
+    assert shown == {"kind", "name", "h_m", "out_kn_m"}
+    fields = {field.key: field for field in form.fields}
+    fields["kind"].edited.emit("cross_walls")
+    (hold,) = session.case.wall[0].hold
+    assert (hold.kind, hold.h_m, hold.only_there) == ("cross_walls", None, True)
+    form.shown_by.setChecked(True)
+    form.shown_by.fields[0].edited.emit("survey")
+    assert session.case.wall[0].hold[0].evidence.kind == "survey"
+    form.delete()
+    assert session.case.wall[0].hold == ()
+
+
+def test_that_the_answer_leads_to_the_hold_that_nothing_shows(opened, application):
+    from tests.holds import behind
+
+    opened.session.edit_wall(0, mechanism="one_sided", hold=())
+    opened.navigator.ask("holds")
+    assert opened.walls.sections["holds"].isVisibleTo(opened.walls)
+    table = parse_holds([*behind("drawing"), *behind("")])
+    opened.session.edit_wall(0, hold=table)
+    opened.navigator.ask("holds")
+    assert opened.walls.holds.list.currentRow() == 1
+
+
+def parse_holds(tables):
+    from core.case.rules import parse_case
+
+    return parse_case({"wall": [{**WALL, "hold": tables}]}).wall[0].hold
 
 
 def test_that_the_drawing_shows_the_leaf_and_its_connectors(opened, application):

@@ -16,6 +16,7 @@ from PySide6.QtTest import QTest
 
 from app.look import theme
 from app.shell import client_view, finder, first_run
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.reader import read_case
 from core.case.site import Demand
@@ -196,7 +197,7 @@ def test_that_a_variant_by_one_click_says_beside_it_what_differs(opened):
     rows = {row.text: row for row in opened.tree.rows}
     assert {"as it is", "as designed"} <= set(rows) and opened.walls.wall.variant == "progetto"
     assert opened.walls.differs.text() == ""
-    opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", back_restraint="cross_walls")
+    opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", hold=(Hold("contact"),))
     opened.walls.loads.add("tie")
     said = [row.text for row in opened.tree.rows if row.kind == "wall"]
     assert said[0] == "as it is" and said[1].startswith("as designed: ")

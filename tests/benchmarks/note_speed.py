@@ -22,7 +22,7 @@ WALL = {
     "mechanism": "one_sided",
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
-    "back_restraint": "cross walls",
+    "hold": [{"kind": "cross_walls"}],
     "load": [{"kind": "vertical", "kn_m": 10.0, "d_m": 0.3, "h_m": 4.0, "mass": "none"}],
 }
 DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}

@@ -95,7 +95,7 @@ wall = st.fixed_dictionaries(
         "floor": words,
         "free_element": st.booleans(),
         "unloaded_confirmed": st.booleans(),
-        "back_restraint": st.one_of(st.just(""), words.map(lambda text: text + "abc")),
+        "hold": words.map(lambda text: [{"kind": "contact", "name": text}]),
         "unit_weight_kn_m3": st.floats(5.0, 40.0),
         "elastic_modulus_mpa": st.floats(10.0, 1e5),
     },

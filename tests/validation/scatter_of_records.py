@@ -81,7 +81,7 @@ def natural_sets(folder: Path, ag: float, soil: str, most: int) -> list[list]:
 def wall_table(height: float, thickness: float, mechanism: str) -> dict:
     """[[wall]] of a wall on the ground."""
     table = {"name": "w", "height_m": height, "thickness_m": thickness, "mechanism": mechanism, "base_z_m": 0.0}
-    return table | {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "unloaded_confirmed": True}
+    return table | {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls"}], "unloaded_confirmed": True}
 
 
 def spread_of(folder: Path) -> list[float]:

@@ -49,8 +49,8 @@ def drawing(wall: WallResult, words: Words) -> Figure:
         x, y = points[0]
         labels.append(Label(f"{words.number(1e-3 * load.in_si(asked.length_m).force, '.2f')} kN/m", x, y + 0.05 * h))
     caption = words.say("{wall}: sizes, hinges (red points) and mechanism (dashed), held at its top", wall=wall.name)
-    if asked.back_restraint:
-        caption += words.say("; at its top: {restraint}", restraint=words.word(f"choice_{asked.back_restraint}"))
+    if asked.held_by:
+        caption += words.say("; at its top: {restraint}", restraint=words.word(f"choice_{asked.held_by.kind}"))
     if asked.load:
         caption += words.say("; loads as arrows")
     top = max([1.08 * h, *(label.y + 0.04 * h for label in labels)])

@@ -82,8 +82,8 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     ]
     labels += _sizes_of_loads(wall, words)
     caption = words.say("{wall}: sizes, hinge (red point) and mechanism (dashed)", wall=wall.name)
-    if wall.wall.back_restraint and wall.mechanism == "one_sided":
-        caption += words.say("; behind it: {restraint}", restraint=words.word(f"choice_{wall.wall.back_restraint}"))
+    if (hold := wall.wall.held_by) and wall.mechanism == "one_sided":
+        caption += words.say("; behind it: {restraint}", restraint=words.word(f"choice_{hold.kind}"))
     if wall.wall.load:
         caption += words.say("; loads as arrows")
     low, high = -below - 0.14 * (h + below), top

@@ -7,7 +7,7 @@ import numpy as np
 
 HEIGHT = 9.0
 BASE = {"name": "w", "mechanism": "one_sided", "base_z_m": 0.0, "height_m": HEIGHT, "unit_weight_kn_m3": 18.0}
-BASE |= {"back_restraint": "cross_walls", "restraint_evidence": "drawing", "unloaded_confirmed": True}
+BASE |= {"hold": [{"kind": "cross_walls", "evidence": {"kind": "drawing"}}], "unloaded_confirmed": True}
 
 
 def _cm(value) -> float:

@@ -12,7 +12,7 @@ from core.case.site import Building
 from core.errors import InputError
 
 BASE = {"name": "w", "mechanism": "one_sided", "base_z_m": 0.0, "height_m": 9.0, "thickness_m": 0.6, "length_m": 5.0}
-BASE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "restraint_evidence": "drawing"}
+BASE |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls", "evidence": {"kind": "drawing"}}]}
 BASE |= {"unloaded_confirmed": True}
 BUILDING = Building(9.0, 3, period_s=0.2)
 

@@ -12,7 +12,7 @@ from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
 
 WALL = {"name": "corner", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 2.0}
-WALL |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "other", "restraint_note": "roof ring, north"}
+WALL |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "hold": [{"kind": "contact"}]}
 CORNER = {"length_1_m": 2.4, "length_2_m": 2.4, "thickness_2_m": 0.6}
 
 

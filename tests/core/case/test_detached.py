@@ -13,7 +13,7 @@ from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
 
 WALL = {"name": "facade", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 8.0}
-WALL |= {"unit_weight_kn_m3": 19.0, "base_z_m": 0.0, "back_restraint": "cross_walls", "restraint_evidence": "opening"}
+WALL |= {"unit_weight_kn_m3": 19.0, "base_z_m": 0.0, "hold": [{"kind": "cross_walls", "evidence": {"kind": "opening"}}]}
 LEAF = {"thickness_m": 0.22, "connector_kn_m": 1.2, "row_spacing_m": 1.5, "slip_mm": 2.0}
 FLOOR = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.4, "h_m": 3.0, "mass": "none"}
 COPING = {"kind": "carried_mass", "kn_m": 0.6, "d_m": 0.1, "h_m": 6.0}
@@ -73,7 +73,7 @@ def test_that_connectors_hold_no_less_the_stronger_they_are_and_strong_ones_are_
 
 def test_that_the_evidence_of_cross_walls_shows_no_leaf():
     (leaf, *_), (shown, *_) = leaves_of(), leaves_of(justification={"leaf": "endoscopy, three holes"})
-    assert leaf.wall.restraint_evidence is None and shown.wall.restraint_evidence == "opening"
+    assert leaf.wall.held_by.evidence is None and shown.wall.held_by.evidence.kind == "opening"
 
 
 @pytest.mark.parametrize(

@@ -19,9 +19,10 @@ from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
 from core.study.run import run
 from core.study.sweep import SweepKey, set_swept_value
+from tests.holds import between
 
 NORTH = {"name": "north", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.5, "length_m": 8.0}
-NORTH |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "other", "restraint_note": "floors tied"}
+NORTH |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "hold": [{"kind": "contact"}]}
 SOUTH = NORTH | {"name": "south", "thickness_m": 0.6}
 FIRST = {"name": "first", "level_m": 3.5, "span_m": 5.0, "g_kn_m2": 4.0, "q_kn_m2": 2.0, "psi_2": 0.3, "mass": "none"}
 FIRST |= {"from_wall": "north", "from_d_m": 0.35, "to_wall": "south", "to_d_m": 0.4}
@@ -138,9 +139,9 @@ def test_that_a_floor_that_bears_nowhere_is_refused(change, code):
 
 CORNER = NORTH | {"name": "NE", "thickness_m": 0.6, "length_m": round(4.8 / math.sqrt(2.0), 3)}
 CORNER |= {"corner": {"length_1_m": 2.4, "length_2_m": 2.4, "thickness_2_m": 0.6}, "height_m": 6.0}
-ARCH = {"spacing_m": 5.0, "shoulder_length_m": 0.6, "shoulder_thickness_m": 0.4, "corner_wall": "NE"}
+ARCH = {"spacing": 5.0, "shoulder_length_m": 0.6, "shoulder_thickness_m": 0.4, "corner_wall": "NE"}
 ARCH |= {"corner_side": 2}
-SPANS = NORTH | {"name": "spans", "arch": ARCH, "compressive_strength_mpa": 2.0}
+SPANS = NORTH | {"name": "spans", "hold": between(**ARCH), "compressive_strength_mpa": 2.0}
 
 
 def multiplier_of(corner: dict, length: float, **keys) -> float:
@@ -214,9 +215,9 @@ def test_that_what_the_ends_push_with_is_in_the_verdict_of_the_corner():
     found = needed(SPANS)
     assert set(found) == {"thrust_2_kn_m", "across_2_kn_m"}
     assert found["across_2_kn_m"] == pytest.approx(0.4 * found["thrust_2_kn_m"])
-    more = needed(SPANS | {"arch": ARCH | {"out_kn_m": 0.2}})
+    more = needed(SPANS | {"hold": between(**(ARCH | {"out_kn_m": 0.2}))})
     assert more["across_2_kn_m"] == pytest.approx(found["across_2_kn_m"] + 0.2)
-    other = needed(SPANS | {"arch": ARCH | {"corner_side": 1}}, corner=found)
+    other = needed(SPANS | {"hold": between(**(ARCH | {"corner_side": 1}))}, corner=found)
     assert sorted(other.values()) == pytest.approx(sorted(found.values())) and "thrust_1_kn_m" in other
     with pytest.raises(InputError) as refused:
         case_of(SPANS, CORNER | {"name": "SE"}, building=BARE)
@@ -227,7 +228,7 @@ def test_that_what_the_ends_push_with_is_in_the_verdict_of_the_corner():
 def test_that_a_wall_that_spans_to_a_corner_says_which_of_its_walls_it_goes_on_from(missing):
     arch = {key: value for key, value in ARCH.items() if key != missing}
     with pytest.raises(InputError) as refused:
-        case_of(SPANS | {"arch": arch}, CORNER, building=BARE)
+        case_of(SPANS | {"hold": between(**arch)}, CORNER, building=BARE)
     assert refused.value.code == "arch_pair" and "corner_side" in str(refused.value)
 
 
@@ -235,7 +236,7 @@ def test_that_a_corner_that_does_not_stand_the_thrust_says_so():
     wide = ARCH | {"shoulder_length_m": 2.4, "shoulder_thickness_m": 0.6}
     corner = CORNER | {"corner": CORNER["corner"] | {"thrust_2_kn_m": 50.0}}
     with pytest.raises(InputError) as refused:
-        case_of(SPANS | {"arch": wide}, corner, building=BARE)
+        case_of(SPANS | {"hold": between(**wide)}, corner, building=BARE)
     assert refused.value.code == "corner_pushed_over"
 
 
@@ -243,15 +244,15 @@ def test_that_a_tie_along_the_wall_takes_what_a_corner_then_does_not_but_no_thru
     """Before the ends have parted, and after the tie breaks, the masonry beyond carries the arch."""
     alone = {key: value for key, value in ARCH.items() if not key.startswith("shoulder")}
     tie = {"tie_kn_m": 40.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.1}
-    assert not needed(SPANS | {"arch": alone | tie})
-    assert not needed(SPANS | {"arch": alone | tie | {"tie_kn_m": 3000.0}})  # hinges are crushed
-    assert needed(SPANS | {"arch": ARCH | tie}) == pytest.approx(needed(SPANS))
+    assert not needed(SPANS | {"hold": between(**(alone | tie))})
+    assert not needed(SPANS | {"hold": between(**(alone | tie | {"tie_kn_m": 3000.0}))})  # hinges are crushed
+    assert needed(SPANS | {"hold": between(**(ARCH | tie))}) == pytest.approx(needed(SPANS))
 
 
 def test_that_two_walls_that_span_to_a_corner_both_push_it_in_every_variant():
     other, one = SPANS | {"name": "other"}, needed(SPANS)
     assert needed(SPANS, other) == pytest.approx({key: 2.0 * value for key, value in one.items()})
-    apart = needed(SPANS, other | {"arch": ARCH | {"corner_side": 1}})
+    apart = needed(SPANS, other | {"hold": between(**(ARCH | {"corner_side": 1}))})
     assert apart == pytest.approx(one | {key.replace("2", "1"): value for key, value in one.items()})
     pushed = {"corner": CORNER["corner"] | one}
     variants = [CORNER | {"variant": "stato di fatto"}, CORNER | pushed | {"variant": "progetto"}]

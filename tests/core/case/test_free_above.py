@@ -20,8 +20,7 @@ FACADE = {
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
     "length_m": 8.0,
-    "back_restraint": "tied_floors",
-    "restraint_evidence": "drawing",
+    "hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}],
     "unloaded_confirmed": True,
 }
 STEP = {"steps": [{"from_z_m": 7.5, "thickness_m": 0.3, "flush": "outer"}]}
@@ -61,7 +60,7 @@ def test_that_what_stands_above_the_highest_hold_is_free_at_any_height_over_thic
             continue
         assert {hinge: wall.mechanism for hinge, wall in walls.items() if hinge >= 7.5}[7.5] == "two_sided"
         assert {wall.mechanism for hinge, wall in walls.items() if hinge < 7.45} == {"one_sided"}
-        assert walls[7.5].back_restraint is None and walls[7.5].height_m == pytest.approx(over)
+        assert walls[7.5].hold == () and walls[7.5].height_m == pytest.approx(over)
 
 
 @pytest.mark.shows("free.above")

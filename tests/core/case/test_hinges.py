@@ -14,7 +14,7 @@ WALL = {
     "thickness_m": 0.6,
     "mechanism": "one_sided",
     "base_z_m": 0.0,
-    "back_restraint": "cross walls",
+    "hold": [{"kind": "cross_walls"}],
 }
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 

@@ -24,8 +24,7 @@ FACADE = {
     "unit_weight_kn_m3": 18.0,
     "base_z_m": 0.0,
     "mechanism": "one_sided",
-    "back_restraint": "cross_walls",
-    "restraint_evidence": "drawing",
+    "hold": [{"kind": "cross_walls", "evidence": {"kind": "drawing"}}],
     "hinge_heights": "base",
 }
 ROOF = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.225, "h_m": 6.5, "mass": "none"}
@@ -117,9 +116,10 @@ def test_that_what_shows_the_cross_walls_does_not_show_the_tie():
         table = {"wall": [{**FACADE, "thickness_m": 0.6, "load": [{**ROOF, "d_m": 0.3}, TIE], **reason}], **gentle}
         walls = run(clauses_alone(table), base_dir=Path()).walls
         (stretch,) = (wall for wall in walls if wall.part.top is not None)
-        assert stretch.wall.restraint_evidence == ("drawing" if reason else None)
+        shown = stretch.wall.held_by.evidence
+        assert (shown.kind if shown else None) == ("drawing" if reason else None)
         codes[bool(reason)] = stretch.assessment.verdict
-    row = next(row for row in codes[False].assumptions if row.key == "back_restraint")
+    row = next(row for row in codes[False].assumptions if row.key == "hold")
     assert row.reason == "" and (codes[False].code == "indicative" or not row.turns)
 
 

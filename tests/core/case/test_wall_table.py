@@ -8,6 +8,7 @@ import pytest
 from openpyxl import Workbook, load_workbook
 
 from core.case import wall_columns, wall_table
+from core.case.hold import Document, Hold
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
 from core.case.solids import Opening, Step, Wedges
@@ -18,16 +19,16 @@ from core.errors import InputError
 from tests.core.ooxml.writers import WRITERS, Fault, Formula, Writer, packed, unpacked
 from tests.core.ooxml.writers import workbook as written_by
 
-CSV = """Parete;Piano;z;H;t;L;Peso specifico;u;Meccanismo;Vincolo;Note
+CSV = """Parete;Piano;z;H;t;L;Peso specifico;u;Meccanismo;Vincolo 1;Note
 ;;m;m;cm;m;kN/m3;cm;;;
-Facciata;terra;0;7,0;83;5;19;5;un lato;muri di spina;prova
+Facciata;terra;0;7,0;83;5;19;5;un lato;muri trasversali;prova
 Timpano;2;6,5;3.5;45;4;18;;su due lati;;
 """
 
 NESTED_OF_A_WALL = (
     "load",
     "return_walls",
-    "arch",
+    "hold",
     "leaf",
     "plan",
     "justification",
@@ -61,8 +62,7 @@ def test_that_an_italian_csv_gives_its_walls(tmp_path):
     for encoding in ("utf-8-sig", "cp1252"):
         path.write_bytes(CSV.encode(encoding))
         first, second = read_walls(path)
-        assert (first.name, first.mechanism, first.back_restraint) == ("Facciata", "one_sided", "cross_walls")
-        assert first.restraint_note == "muri di spina"
+        assert (first.name, first.mechanism, first.hold[0].kind) == ("Facciata", "one_sided", "cross_walls")
         assert first.height_m == 7.0
         assert first.thickness_m == pytest.approx(0.83, rel=1e-15)
         assert first.hinge_setback_m == pytest.approx(0.05, rel=1e-15)
@@ -91,6 +91,8 @@ def test_that_the_template_is_read_as_it_is():
 @pytest.mark.parametrize(
     ("column", "words", "section", "key"),
     [
+        ("J", wall_columns.WORDS_OF_CHOICE["hold.kind"], Hold, "kind"),
+        ("AA", wall_columns.WORDS_OF_CHOICE["evidence.kind"], Document, "kind"),
         ("P", wall_columns.LOAD_KINDS, Load, "kind"),
         ("T", wall_columns.LOAD_MASSES, Load, "mass"),
         ("I", wall_columns.MECHANISMS, Wall, "mechanism"),

@@ -130,7 +130,7 @@ def codes(sentences) -> list[str]:
         ("not_verified", {"nonlinear": 0.9, "limit_state": "SLC"}),
         ("undetermined", {}),
         ("indicative", {"dynamic": 1.2, "q2": 1.1, "mechanism": "one_sided"}),
-        ("verified", {"dynamic": 1.2, "q2": 1.1, "mechanism": "one_sided", "wall": {"back_restraint": "tied_floors"}}),
+        ("verified", {"dynamic": 1.2, "q2": 1.1, "mechanism": "one_sided", "wall": {"hold": [{"kind": "contact"}]}}),
         ("verified_refined", {"nonlinear": 1.015, "q2": 0.9}),
         ("undetermined", {"dynamic": 1.2, "q2": 1.1, "wall": {"base_z_m": 4.0}}),
         ("not_activated", {"dynamic": 3.0, "q2": 3.0, "ag": 0.05}),
@@ -363,7 +363,7 @@ def test_that_records_weaker_than_the_demand_give_no_pga_of_capacity(tmp_path, s
         "thickness_m": 0.3,
         "base_z_m": 0.0,
         "mechanism": "one_sided",
-        "back_restraint": "tied_floors",
+        "hold": [{"kind": "contact"}],
     }
     records = [{"file": "r*.txt", "unit": "g", "time_step_s": 0.01, "scale": scale}]
     table = {"wall": [wall], "record": records, "demand": {"ag_g": 0.3, "spectrum": SPECTRUM}}

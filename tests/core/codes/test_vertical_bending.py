@@ -228,7 +228,7 @@ def run_case(height: float, thickness: float, n: float, d: float):
 
     load = {"kind": "vertical", "kn_m": n, "d_m": d, "h_m": height, "mass": "none"}
     wall = {"name": "w", "mechanism": "vertical_bending", "height_m": height, "thickness_m": thickness}
-    wall |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "load": [load], "back_restraint": "floors"}
+    wall |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "load": [load], "hold": [{"kind": "contact"}]}
     demand = {"ag_g": 0.25, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
     building = {"height_m": 9.0, "storeys": 2, "period_s": 0.3}
     return run(
@@ -336,7 +336,7 @@ def test_that_a_shaped_wall_held_at_its_top_is_judged_and_written_down(tmp_path)
     from tests.clauses_alone import parse_case
 
     wall = {"name": "w", "mechanism": "vertical_bending", "height_m": 5.6, "thickness_m": 0.45, "length_m": 4.0}
-    wall |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "floors"} | SHAPED["two storeys"]
+    wall |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "hold": [{"kind": "contact"}]} | SHAPED["two storeys"]
     demand = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
     building = {"height_m": 8.4, "storeys": 3, "period_s": 0.3}
     result = run(parse_case({"title": "t", "wall": [wall], "demand": demand, "building": building}), base_dir=tmp_path)

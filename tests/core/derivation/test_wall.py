@@ -22,6 +22,7 @@ from core.study.run import run
 from core.units import G
 from core.wall.restitution import MODELS
 from tests.clauses_alone import parse_case
+from tests.holds import between
 from tests.validation.circolare import EN_B, NTC_C
 
 LOADS = (
@@ -102,8 +103,9 @@ def between_walls(draw, name):
     tie = {"tie_kn_m": round(draw.uniform(8.0, 600.0), 1), "tie_elongation_m": draw.choice((0.03, 0.3))}
     tie["tie_bar_length_m"] = draw.choice((5.0, 15.0))
     beyond = {"shoulder_length_m": 2.5, "shoulder_thickness_m": 0.6}
-    arch = {"spacing_m": round(draw.uniform(3.0, 6.0), 2), **draw.choice((tie, beyond, tie | beyond))}
-    size = {"name": name, "mechanism": "horizontal_bending", "height_m": 3.5, "thickness_m": thickness, "arch": arch}
+    arch = {"spacing": round(draw.uniform(3.0, 6.0), 2), **draw.choice((tie, beyond, tie | beyond))}
+    size = {"name": name, "mechanism": "horizontal_bending", "height_m": 3.5, "thickness_m": thickness}
+    size["hold"] = between(**arch)
     size |= {"compressive_strength_mpa": 1.5, "unit_weight_kn_m3": 18.0, "base_z_m": draw.choice((0.0, 3.0))}
     push = {"kind": "thrust", "kn_m": 0.5, "h_m": 3.4}
     roof = {"kind": "vertical", "kn_m": 6.0, "d_m": round(0.5 * thickness, 3), "h_m": 3.5, "mass": "horizontal"}

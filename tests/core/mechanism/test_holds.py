@@ -3,7 +3,6 @@
 import itertools
 import math
 import random
-from dataclasses import replace
 
 import pytest
 
@@ -19,6 +18,7 @@ from core.study.run import run
 from core.variation.evaluate import Evaluation, _place_hold
 from core.wall.bending import strip_of
 from tests.conftest import ROOT
+from tests.holds import at_top
 
 HELD = {
     "name": "held",
@@ -29,9 +29,7 @@ HELD = {
     "unit_weight_kn_m3": 18.0,
     "base_z_m": 0.0,
     "hinge_setback_m": 0.0,
-    "back_restraint": "tied_floors",
-    "restraint_evidence": "drawing",
-    "restraint_kn_m": 30.0,
+    "hold": at_top(3.0, 30.0),
     "load": [{"kind": "vertical", "kn_m": 20.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}],
 }
 
@@ -67,7 +65,7 @@ def test_that_no_strength_is_asked_for_that_the_demand_does_not_need():
     moving = MovingStrip(strip, lowest_hinge(strip))
     asked = reaction_of_top(Sections(wall), moving, 0.1)
     assert 0.0 < asked < 0.15 * moving.start
-    assert limits(restraint_kn_m=1.001e-3 * asked)[TOP, "outward"].push == pytest.approx(0.1, rel=0.02)
+    assert limits(hold=at_top(3.0, 1.001e-3 * asked))[TOP, "outward"].push == pytest.approx(0.1, rel=0.02)
 
 
 def test_that_a_stronger_hold_never_holds_less_and_a_larger_push_never_asks_less():
@@ -77,9 +75,11 @@ def test_that_a_stronger_hold_never_holds_less_and_a_larger_push_never_asks_less
         load = HELD["load"][0] | {"kn_m": draw.uniform(0.0, 40.0), "h_m": keys["height_m"]}
         keys["load"] = [load | {"d_m": draw.uniform(0.2, 0.8) * keys["thickness_m"]}]
         strengths = sorted(draw.uniform(0.5, 60.0) for _ in "abc")
-        pushes = [limits(**keys, restraint_kn_m=strength)[TOP, "outward"].push for strength in strengths]
+        pushes = [
+            limits(**keys, hold=at_top(keys["height_m"], strength))[TOP, "outward"].push for strength in strengths
+        ]
         assert pushes == sorted(pushes)
-        wall = parse_case({"wall": [HELD | keys]}).wall[0].in_si
+        wall = parse_case({"wall": [HELD | keys | {"hold": at_top(keys["height_m"])}]}).wall[0].in_si
         strip = strip_of(wall)
         moving, sections = MovingStrip(strip, lowest_hinge(strip)), Sections(wall)
         alphas = [0.1 * k * float(moving.multiplier()) for k in range(1, 16)]
@@ -104,12 +104,15 @@ thickness_m = 0.45
 mechanism = "horizontal_bending"
 base_z_m = 0.0
 unit_weight_kn_m3 = 18.0
-back_restraint = "cross_walls"
-restraint_evidence = "drawing"
 unloaded_confirmed = true
 compressive_strength_mpa = 2.0
 masonry = "solid_brick"
-arch = { spacing_m = 2.5, shoulder_length_m = 2.0, shoulder_thickness_m = 0.45 }
+[[wall.hold]]
+kind = "cross_walls"
+evidence = { kind = "test" }
+spacing_m = 2.5
+shoulder_length_m = 2.0
+shoulder_thickness_m = 0.45
 """
 
 
@@ -131,7 +134,7 @@ def test_that_the_ends_of_an_arch_slip_where_friction_no_longer_holds_them():
 
 
 def test_that_what_holds_the_ends_across_is_added_to_their_friction():
-    table = SPANNING.replace("shoulder_thickness_m = 0.45", "shoulder_thickness_m = 0.45, out_kn_m = 1.0")
+    table = SPANNING.replace("shoulder_thickness_m = 0.45", "shoulder_thickness_m = 0.45\nout_kn_m = 1.0")
     (wall,) = run(case_of_text(table, ROOT / "spanning.toml"), base_dir=ROOT).walls
     check = next(check for check in wall.assessment.checks if check.name == "hold")
     assert check.capacity == pytest.approx(3.592, rel=1e-3) and check.passed
@@ -146,15 +149,15 @@ def test_that_a_wall_is_verified_to_where_its_hold_gives_way_and_no_further():
     table["demand"] = {"ag_g": 0.3, "spectrum": spectrum}
     zetas = []
     for strength in (2000.0, 10.0, 5.0, 2.0):
-        case = parse_case(table | {"wall": [HELD | {"thickness_m": 0.4, "restraint_kn_m": strength}]})
+        case = parse_case(table | {"wall": [HELD | {"thickness_m": 0.4, "hold": at_top(3.0, strength)}]})
         (wall,) = run(case, base_dir=ROOT).walls
         zetas.append(wall.assessment.verdict.zeta_e)
         hold = next(check for check in wall.assessment.checks if check.name == "hold")
         assert hold.passed == (hold.demand <= hold.capacity) or math.isclose(hold.demand, hold.capacity, rel_tol=0.02)
         assert wall.assessment.verdict.zeta_e <= hold.zeta
     assert zetas == sorted(zetas, reverse=True) and zetas[-1] < zetas[0]
-    bare = parse_case(table | {"wall": [HELD | {"thickness_m": 0.4}]}).wall[0]
-    assert replace(bare, restraint_kn_m=None).in_si.declared.strength is None
+    bare = parse_case(table | {"wall": [HELD | {"thickness_m": 0.4, "hold": at_top(3.0)}]}).wall[0]
+    assert bare.in_si.declared.strength is None
 
 
 @pytest.mark.shows("held.reaction")

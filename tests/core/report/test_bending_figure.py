@@ -11,11 +11,12 @@ from core.report.note.pdf import Note
 from core.study.run import run
 from tests.clauses_alone import parse_case
 from tests.core.variation.test_held_top import BUILDING, DEMAND, TOP, WALL
+from tests.holds import between
 
 
 @pytest.fixture(scope="module")
 def of_three():
-    bare = {key: value for key, value in WALL.items() if key not in ("load", "back_restraint")}
+    bare = {key: value for key, value in WALL.items() if key not in ("load", "hold")}
     walls = [WALL, WALL | {"name": "back", "hinge_setback_m": 0.02, "load": [TOP, TOP | {"d_m": 0.25}]}]
     walls.append(bare | {"name": "bare", "base_z_m": 0.0})
     table = {"wall": walls, "building": BUILDING, "demand": DEMAND}
@@ -52,9 +53,9 @@ def test_that_the_note_has_its_histories(folder):
 
 
 def test_that_a_wall_between_transverse_walls_is_drawn_in_plan_with_its_lines():
-    arch = {"spacing_m": 4.0, "tie_kn_m": 30.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.06}
-    bare = {key: value for key, value in WALL.items() if key not in ("load", "back_restraint", "restraint_kn_m")}
-    wall = bare | {"name": "spans", "mechanism": "horizontal_bending", "arch": arch, "compressive_strength_mpa": 2.0}
+    hold = between(4.0, tie_kn_m=30.0, tie_bar_length_m=5.0, tie_elongation_m=0.06)
+    bare = {key: value for key, value in WALL.items() if key not in ("load", "hold")}
+    wall = bare | {"name": "spans", "mechanism": "horizontal_bending", "hold": hold, "compressive_strength_mpa": 2.0}
     result = run(parse_case({"wall": [wall], "building": BUILDING, "demand": DEMAND}), base_dir=Path())
     parts = note(result, "en")
     (drawn,) = (

@@ -12,7 +12,7 @@ from core.study.run import run
 from tests.clauses_alone import parse_case
 
 WALL = {"mechanism": "one_sided", "height_m": 6.0, "length_m": 8.0, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0}
-WALL |= {"back_restraint": "other", "restraint_note": "floors tied", "unloaded_confirmed": True}
+WALL |= {"hold": [{"kind": "contact"}], "unloaded_confirmed": True}
 PLACES = {"north": (0.0, 9.0, 8.0, 9.0), "south": (0.0, 0.0, 8.0, 0.0), "east": (8.0, 0.0, 8.0, 9.0)}
 THICK = {"north": 0.9, "south": 0.4, "east": 0.6}
 DEMAND = {"ag_g": 0.12, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}

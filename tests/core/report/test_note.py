@@ -32,6 +32,7 @@ from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
 from tests.core.report import whole_workbook
+from tests.holds import at_top
 from tests.validation.circolare import HELD, case
 
 
@@ -55,12 +56,7 @@ def held():
     """A wall held at its top, with a load, on the ground of a building."""
     load = {"kind": "vertical", "kn_m": 20.0, "h_m": 3.5, "d_m": 0.15, "mass": "none"}
     wall = {"name": "v", "height_m": 3.5, "thickness_m": 0.3, "mechanism": "vertical_bending", "base_z_m": 0.0}
-    wall |= {
-        "unit_weight_kn_m3": 18.0,
-        "back_restraint": "tied_floors",
-        "restraint_evidence": "drawing",
-        "load": [load],
-    }
+    wall |= {"unit_weight_kn_m3": 18.0, "hold": at_top(3.5), "load": [load]}
     spectrum = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
     case = parse_case({"wall": [wall], "building": building, "demand": {"ag_g": 0.3, "spectrum": spectrum}})
@@ -151,11 +147,11 @@ def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdic
 
 
 def test_that_what_holds_a_wall_has_its_lines_in_the_note_and_on_the_check_sheet():
-    bends = HELD | {"mechanism": "vertical_bending", "height_m": 3.0, "thickness_m": 0.4, "restraint_kn_m": 10.0}
+    bends = HELD | {"mechanism": "vertical_bending", "height_m": 3.0, "thickness_m": 0.4, "hold": at_top(3.0, 10.0)}
     bends |= {"unit_weight_kn_m3": 18.0}
     bends = {key: value for key, value in bends.items() if key not in ("restitution", "velocity_ratio")}
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
-    held = case(bends | {"back_restraint": "tied_floors"}, {}, analysis={"histories": False}, building=building)
+    held = case(bends, {}, analysis={"histories": False}, building=building)
     made = run(held, base_dir=ROOT)
     names = set(whole_workbook.build(made, []).workbook.defined_names)
     steps = {step.cell: step.result for step in steps_of(note(made, "en"))}

@@ -26,6 +26,7 @@ from core.study import run as study
 from core.study.governing import collapse_histories
 from tests.conftest import STANDING
 from tests.core.report import whole_workbook
+from tests.holds import between
 
 HOSTILE = '=HYPERLINK("http://x","y")'
 
@@ -248,15 +249,15 @@ def arches(folder):
     """Walls between transverse walls, by masonry beyond and by a tie, with what pushes them and without."""
     own = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "horizontal_bending"}
     own |= {"compressive_strength_mpa": 2.0, "base_z_m": 0.0}
-    beyond = {"spacing_m": 4.0, "shoulder_length_m": 3.0, "shoulder_thickness_m": 0.6}
+    beyond = {"spacing": 4.0, "shoulder_length_m": 3.0, "shoulder_thickness_m": 0.6}
     along, push = (
         {"tie_kn_m": 60.0, "tie_bar_length_m": 6.0, "tie_elongation_m": 0.02},
         {"kind": "thrust", "kn_m": 0.4, "h_m": 2.5},
     )
     pushing = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.1, "h_m": 3.0, "mass": "horizontal"}
     walls = [
-        {"name": "spans", "arch": beyond, **own},
-        {"name": "tied", "arch": beyond | along, "load": [push, pushing], **own},
+        {"name": "spans", "hold": between(**beyond), **own},
+        {"name": "tied", "hold": between(**beyond, **along), "load": [push, pushing], **own},
     ]
     spectrum = {"code": "EN1998", "type": 1, "soil": "B"}
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
@@ -273,7 +274,7 @@ def loads(folder):
         "unit_weight_kn_m3": 18.0,
         "base_z_m": 0.0,
         "mechanism": "one_sided",
-        "back_restraint": "cross walls",
+        "hold": [{"kind": "cross_walls"}],
     }
     across = {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}
     walls = [

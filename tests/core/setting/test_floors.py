@@ -24,7 +24,7 @@ WALL = {"name": "top", "height_m": 3.0, "thickness_m": 0.45, "mechanism": "one_s
 
 def case(base_z, building=BUILDING, records=3, **keys):
     table = {
-        "wall": [{**WALL, "base_z_m": base_z, "back_restraint": "cross walls"}],
+        "wall": [{**WALL, "base_z_m": base_z, "hold": [{"kind": "cross_walls"}]}],
         "record": [{"file": f"tests/motions/noise_{k}.txt"} for k in range(1, records + 1)],
         "demand": {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         "analysis": {"q_step": 0.01},

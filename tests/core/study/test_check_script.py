@@ -82,7 +82,7 @@ def test_that_a_record_that_moves_no_wall_is_taken_so_strong_that_it_does(folder
 
 def test_that_a_wall_without_a_history_to_compare_has_no_script(folder, monkeypatch):
     with pytest.raises(ScriptUnavailable, match="held_at_top"):
-        written(folder, {**WALL, "mechanism": "vertical_bending", "back_restraint": "floor"})
+        written(folder, {**WALL, "mechanism": "vertical_bending", "hold": [{"kind": "contact"}]})
     monkeypatch.setattr(check_script_module, "MAX_TOLERANCE", 0.0)
     with pytest.raises(ScriptUnavailable, match="too_sensitive"):
         written(folder, KINDS["Eq. 7"])

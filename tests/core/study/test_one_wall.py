@@ -8,7 +8,7 @@ from core.study.one_wall import run_at_alternatives, run_wall
 from core.study.run import run
 from tests.conftest import ROOT
 
-WALL = {"mechanism": "one_sided", "base_z_m": 0.0, "unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls"}
+WALL = {"mechanism": "one_sided", "base_z_m": 0.0, "unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls"}]}
 DEMAND = {"ag_g": 0.15, "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}}
 
 

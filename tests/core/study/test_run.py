@@ -264,7 +264,7 @@ def renamed(folder, tmp_path_factory):
             "thickness_m": 0.4,
             "base_z_m": 0.0,
             "mechanism": "one_sided",
-            "back_restraint": "cross walls",
+            "hold": [{"kind": "cross_walls"}],
         }
         first, second = ({**wall, "name": name} for name in names)
         walls = [

@@ -18,7 +18,7 @@ WALL = {
     "mechanism": "one_sided",
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
-    "back_restraint": "cross walls",
+    "hold": [{"kind": "cross_walls"}],
 }
 ROOF = {"kind": "vertical", "kn_m": 8.0, "d_m": 0.4, "h_m": 6.5, "mass": "none"}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}

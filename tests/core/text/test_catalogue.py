@@ -9,7 +9,7 @@ from string import Formatter
 import pytest
 
 from core.case import wall_columns
-from core.case.back_restraint import EVIDENCE
+from core.case.hold import PRESENCE, STRENGTH
 from core.case.loads import Load
 from core.case.rules import parse_case
 from core.case.schema import Case, sections
@@ -47,7 +47,7 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 
 OF_NO_SENTENCE = {
     "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
-    "core/case/back_restraint.py": "words of older texts, in both languages",
+    "core/case/meaningful.py": "words that say nothing, in both languages",
     "core/case/wall_columns.py": "heads of columns, in both languages",
     "core/case/case_files.py": "errors of what no program wrote",
     "core/case/variant_names.py": "the values of a key",
@@ -198,7 +198,9 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {key for keys in ENTRIES.values() for key in keys}
     sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")} | {f"tie_{name}" for name in FORCES}
-    sides |= {f"client_{code}" for code in OUTCOMES} | {f"evidence_{name}" for name in (*EVIDENCE, "unstated")}
+    sides |= {f"client_{code}" for code in OUTCOMES} | {
+        f"evidence_{name}" for name in (*PRESENCE, *STRENGTH, "unstated")
+    }
     sides |= {f"source_{name}" for name in (GIVEN, DEFAULT, LEFT_OUT, DECLARED)}
     sides |= {f"part_{part}" for part in ("steel", "thread", "anchorage")}
     for group in set(CATALOGUE) - {"error", "key"}:

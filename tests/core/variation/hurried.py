@@ -18,6 +18,7 @@ from core.errors import InputError
 from core.report import json_report
 from core.study.run import run
 from tests.conftest import ROOT
+from tests.holds import at_top, behind, between
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "C", "topography": "T1"}
 HAZARD = [
@@ -26,7 +27,7 @@ HAZARD = [
     {"return_period_years": 2475.0, "ag_g": 0.21, "f0": 2.5, "tc_star_s": 0.36},
 ]
 FACADE = {"name": "w", "height_m": 5.0, "thickness_m": 0.45, "mechanism": "one_sided", "base_z_m": 0.0}
-FACADE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross_walls", "restraint_evidence": "drawing"}
+FACADE |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls", "evidence": {"kind": "drawing"}}]}
 BARE = {"unloaded_confirmed": True}
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 9.0}
 PARAPET |= {"unit_weight_kn_m3": 18.0, "unloaded_confirmed": True}
@@ -132,11 +133,11 @@ def _ways():
         ("compressive_strength_mpa", 20.0, "compressive_strength_mpa"),
         ("elastic_modulus_mpa", 10000.0, "elastic_modulus_mpa"),
         ("unit_weight_kn_m3", 25.0, "unit_weight_kn_m3"),
-        ("restraint_evidence", "none", "back_restraint"),
-        ("restraint_evidence", DROP, "back_restraint"),
-        ("back_restraint", DROP, "back_restraint"),
-        ("back_restraint", "non c'è", "back_restraint"),
-        ("back_restraint", "da definire", "back_restraint"),
+        ("hold", behind(""), "hold"),
+        ("hold", DROP, "hold"),
+        ("hold", behind(kind="floor", h_m=2.0), "heights_left_out hinges_as_asked"),
+        ("hold", behind(name="non c'è", evidence=""), "hold"),
+        ("hold", between(evidence="test", name="da definire"), "hold"),
         ("thickness_m", 45.0, ""),
         ("height_over_thickness", 2.0, ""),
         ("length_m", 0.5, "length_m"),
@@ -201,8 +202,8 @@ def _ways():
     yield Way("a parapet that is not free", "parapet", {WALL + "free_element": False}, "free_element")
     yield Way("a parapet by the rigid law", "parapet", {WALL + "law": "rigid"}, "law")
     yield Way("a parapet of stiff masonry", "parapet", {WALL + "elastic_modulus_mpa": 10000.0}, "law elastic_branch")
-    held = {WALL + "back_restraint": "other", WALL + "restraint_evidence": "drawing", WALL + "restraint_note": "tetto"}
-    yield Way("a parapet that rocks one way", "parapet", held | {WALL + "mechanism": "one_sided"}, "back_restraint")
+    held = {WALL + "hold": behind(name="tetto")}
+    yield Way("a parapet that rocks one way", "parapet", held | {WALL + "mechanism": "one_sided"}, "hold")
     cancels = [{"period_s": 0.26, "damping": 0.1, "participation": share} for share in (9.0 / 7.0, -9.0 / 7.0)]
     yield Way("modes that cancel", "parapet", {"building.period_s": DROP, "building.modes": cancels}, "participation")
     yield from _ways_past_a_row()
@@ -212,7 +213,7 @@ def _ways():
 
 def _ways_past_a_row():
     """Changes that took away the row, or the hinge, that kept a wall from "verified"."""
-    bare, unsaid = {WALL + "unloaded_confirmed": DROP}, {WALL + "restraint_evidence": DROP}
+    bare, unsaid = {WALL + "unloaded_confirmed": DROP}, {WALL + "hold": between(evidence="")}
     thrust, foot = {"kind": "thrust", "kn_m": 1.9, "h_m": 5.0}, {"kind": "vertical", "mass": "none", "kn_m": 60.0}
     low = bare | {WALL + "load": [thrust, foot | {"h_m": 0.5, "d_m": 0.4}]}
     yield Way("a thrust under which the wall falls without its low weight", "facade", low, "h_m")
@@ -228,15 +229,15 @@ def _ways_past_a_row():
     }
     yield Way("a little snow beside a carried mass", "facade", bare | {WALL + "load": [fixed, snow]}, "load")
     thick = unsaid | {WALL + "thickness_m": 0.65}
-    yield Way("no evidence, no histories", "facade", thick | {"analysis": {"histories": False}}, "back_restraint")
-    yield Way("no evidence, no spectrum", "facade", thick | LINEAR | {"demand.soil_factor": 1.5}, "back_restraint")
+    yield Way("no evidence, no histories", "facade", thick | {"analysis": {"histories": False}}, "hold")
+    yield Way("no evidence, no spectrum", "facade", thick | LINEAR | {"demand.soil_factor": 1.5}, "hold")
     wire = {"kind": "tie", "kn_m": 0.01, "h_m": 5.0, "bar_length_m": 5.0}
     leans = thick | bare | {WALL + "out_of_plumb_m": 0.001, WALL + "length_m": 5.0, WALL + "load": [wire]}
-    yield Way("no evidence, a tie of 10 N and a lean of 1 mm", "facade", leans, "back_restraint")
+    yield Way("no evidence, a tie of 10 N and a lean of 1 mm", "facade", leans, "hold")
     wedges = {"number": 2, "thickness_m": 1.0, "length_at_top_m": 3.0}
     behind = unsaid | {WALL + "length_m": 5.0, WALL + "return_wedges": wedges}
     behind |= {WALL + "justification": {"return_wedges": "survey 3"}}
-    yield Way("no evidence, wedges behind", "facade", behind, "back_restraint")
+    yield Way("no evidence, wedges behind", "facade", behind, "hold")
     halves = [
         {"plane": "section", "to_m": 5.0, "unit_weight_kn_m3": weight, "polygon_m": [[a, 0], [b, 0], [b, 5], [a, 5]]}
         for a, b, weight in ((0.0, 0.225, 5.0), (0.225, 0.45, 40.0))
@@ -248,13 +249,13 @@ def _ways_past_a_row():
     plinth |= {WALL + "steps": [{"from_z_m": 0.3, "thickness_m": 0.45, "flush": "outer"}]}
     yield Way("a plinth below the hinge", "facade", plinth, "heights_left_out")
     leans = [{"plane": "section", "to_m": 5.0, "polygon_m": [[0, 0], [0.65, 0], [1.35, 5], [0.7, 5]]}]
-    unnamed = unsaid | {WALL + "back_restraint": DROP}
+    unnamed = {WALL + "thickness_m": 0.65, WALL + "hold": DROP}
     bare_lean = {WALL + "thickness_m": 0.65, WALL + "length_m": 5.0, WALL + "solid": leans, "demand.ag_g": 0.05}
-    yield Way("leans inward, nothing behind it", "facade", bare_lean | unnamed, "back_restraint")
+    yield Way("leans inward, nothing behind it", "facade", bare_lean | unnamed, "hold")
     held = {WALL + "mechanism": "vertical_bending", WALL + "thickness_m": 0.5, WALL + "height_m": 7.0}
-    held |= {WALL + "back_restraint": "tied_floors", WALL + "restraint_kn_m": 50.0, "demand.ag_g": 0.08} | unsaid
+    held |= {WALL + "hold": at_top(7.0, 50.0, evidence=""), "demand.ag_g": 0.08}
     held |= {"building": {"height_m": 7.0, "storeys": 2, "period_s": 0.2}, "analysis": {"histories": False}}
-    yield Way("held at its top, no evidence, no histories", "facade", held, "back_restraint")
+    yield Way("held at its top, no evidence, no histories", "facade", held, "hold")
     inside = [[0, 0], [0.65, 0], [0.65, 5], [0, 5]]
     heavy = [{"plane": "section", "to_m": 5.0, "unit_weight_kn_m3": 40.0, "polygon_m": inside}]
     pushed = bare | {WALL + "thickness_m": 0.65, WALL + "length_m": 5.0, WALL + "unit_weight_kn_m3": 40.0}

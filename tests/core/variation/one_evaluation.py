@@ -12,7 +12,7 @@ from tests.clauses_alone import parse_case
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
 BARE = {"name": "w", "height_m": 4.0, "thickness_m": 0.4, "mechanism": "one_sided", "base_z_m": 0.0}
-BARE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "opening"}
+BARE |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "opening"}}]}
 BARE |= {"hinge_setback_m": 0.1}
 """A wall whose hinge lies deeper inside its edge than that of any masonry: alpha_0 is 0.1 / 2."""
 

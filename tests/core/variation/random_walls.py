@@ -45,7 +45,7 @@ def _wall(draw: random.Random, mechanism: str) -> dict:
     wall: dict = {"name": "w", "mechanism": mechanism, "height_m": height, "thickness_m": thickness, "base_z_m": 0.0}
     wall |= {"unit_weight_kn_m3": round(draw.uniform(14.0, 22.0), 1), "length_m": round(draw.uniform(3.0, 8.0), 1)}
     if draw.random() < 0.7:
-        wall["back_restraint"] = "cross walls"
+        wall["hold"] = [{"kind": "cross_walls"}]
     loads = _loads(draw, height, thickness)
     if mechanism == "one_sided" and draw.random() < 0.35:
         loads.append(_tie(draw, height))

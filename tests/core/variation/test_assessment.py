@@ -14,11 +14,12 @@ from core.variation import assessment
 from core.variation.assessment import assess
 from core.variation.evaluate import evaluate
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
+from tests.holds import behind
 
 TIE = {"kind": "tie", "kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
 SPECTRUM = {"ag_g": 0.1, "spectrum": NTC}
 HELD = {"name": "v", "height_m": 3.5, "thickness_m": 0.15, "mechanism": "vertical_bending", "base_z_m": 0.0}
-HELD |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "drawing"}
+HELD |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}]}
 FLOOR = {"kind": "vertical", "kn_m": 60.0, "h_m": 3.5, "d_m": 0.075, "mass": "none"}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 
@@ -262,24 +263,23 @@ def by_restraint(held, free, wall=WALL, demand=SOIL):
 def test_that_a_restraint_turns_the_outcome_where_the_wall_fails_without_it(held, free, turns):
     found = by_restraint(held, free)
     assert found.lower_bound.zeta == found.verdict.lower_bound == free[0] and found.bound_passes == free[1]
-    (row,) = (row for row in found.verdict.assumptions if row.key == "back_restraint")
+    (row,) = (row for row in found.verdict.assumptions if row.key == "hold")
     assert (row.turns, row.zeta, row.source, row.raises) == (turns, free[0], "declared", True)
     assert "opening" in row.reason.text("en") and "saggio" in row.reason.text("it")
-    assert row.words.code == "restraint_fails" and row.value.code == "choice_tied_floors"
+    assert row.words.code == "restraint_fails" and row.value.code == "choice_contact"
 
 
 def test_that_a_restraint_left_out_or_without_evidence_has_no_reason():
-    bare = {key: value for key, value in WALL.items() if key not in ("back_restraint", "restraint_evidence")}
-    for wall, source in ((bare, "left_out"), (bare | {"back_restraint": "cross_walls"}, "declared")):
-        for more in ({}, {"restraint_evidence": "none"}) if source == "declared" else ({},):
-            rows = by_restraint((1.5, True), (0.8, False), wall | more).verdict.assumptions
-            (row,) = (row for row in rows if row.key == "back_restraint")
-            assert (row.source, row.reason) == (source, "")
+    bare = {key: value for key, value in WALL.items() if key != "hold"}
+    for wall, source in ((bare, "left_out"), (bare | {"hold": [{"kind": "cross_walls"}]}, "declared")):
+        rows = by_restraint((1.5, True), (0.8, False), wall).verdict.assumptions
+        (row,) = (row for row in rows if row.key == "hold")
+        assert (row.source, row.reason) == (source, "")
 
 
 def test_that_a_restraint_without_which_the_wall_was_not_followed_turns_what_passes_until_it_is_shown():
     """Without histories nothing says what holds a wall that is free; 60 kN/m at its inner face would overturn it."""
-    bare = {key: value for key, value in WALL.items() if key != "restraint_evidence"}
+    bare = WALL | {"hold": behind("")}
     falls = {"load": [FLOOR | {"h_m": 4.0, "d_m": 0.4}], "unloaded_confirmed": False}
     for scene, code in ((scene_of, "restraint_unfollowed"), (None, "restraint_stands")):
         for wall, shown in ((bare, False), (WALL, True)):
@@ -288,7 +288,7 @@ def test_that_a_restraint_without_which_the_wall_was_not_followed_turns_what_pas
             else:
                 found = by_restraint((1.5, True), (0.8, False), wall | falls)
             assert found.lower_bound is None and found.verdict.lower_bound is None and found.bound_passes is None
-            (row,) = (row for row in found.verdict.assumptions if row.key == "back_restraint")
+            (row,) = (row for row in found.verdict.assumptions if row.key == "hold")
             assert (row.zeta, row.words.code, bool(row.reason)) == (None, code, shown)
             rests = scene is not None  # it does not lift, to either side
             assert row.turns == (not rests) and (found.verdict.code == "indicative") == (not rests)
@@ -296,13 +296,13 @@ def test_that_a_restraint_without_which_the_wall_was_not_followed_turns_what_pas
 
 def test_that_a_wall_of_both_mechanisms_has_the_other_beside_it_and_no_row_of_its_restraint():
     found = by_restraint((1.5, True), (0.8, False), WALL | {"mechanism": "both"})
-    assert "back_restraint" not in {row.key for row in found.verdict.assumptions}
+    assert "hold" not in {row.key for row in found.verdict.assumptions}
 
 
 def test_that_a_wall_that_rocks_both_ways_needs_no_restraint():
-    two_sided = {key: value for key, value in WALL.items() if key not in ("back_restraint", "restraint_evidence")}
+    two_sided = {key: value for key, value in WALL.items() if key != "hold"}
     found = by_restraint((1.5, True), (0.8, False), two_sided | {"mechanism": "two_sided", "free_element": False})
-    assert found.lower_bound is None and "back_restraint" not in {row.key for row in found.verdict.assumptions}
+    assert found.lower_bound is None and "hold" not in {row.key for row in found.verdict.assumptions}
 
 
 def test_that_the_wall_without_its_restraint_rocks_by_the_theory():
@@ -314,9 +314,7 @@ def test_that_the_wall_without_its_restraint_rocks_by_the_theory():
         return history(1.2)
 
     assess(with_histories(scene_of(WALL | {"velocity_ratio": 0.2}), said))
-    theory = scene_of(
-        {key: value for key, value in WALL.items() if key != "back_restraint"} | {"mechanism": "two_sided"}
-    )
+    theory = scene_of({key: value for key, value in WALL.items() if key != "hold"} | {"mechanism": "two_sided"})
     free = {model.ratio_at_rest for model in seen if not model.one_sided}
     assert free == {theory.model.ratio_at_rest} and theory.model.ratio_at_rest > 0.9
 
@@ -324,10 +322,10 @@ def test_that_the_wall_without_its_restraint_rocks_by_the_theory():
 def test_that_a_wall_held_at_its_top_is_shown_overturning_about_its_base(monkeypatch):
     light = HELD | {"load": [FLOOR | {"kn_m": 0.5}]}
     found = assess(scene_of(light, SPECTRUM, building=BUILDING))
-    free = {key: value for key, value in light.items() if "restraint" not in key}
+    free = {key: value for key, value in light.items() if key != "hold"}
     alone = assess(scene_of(free | {"mechanism": "one_sided", "free_element": False}, SPECTRUM, building=BUILDING))
     assert found.verdict.lower_bound == pytest.approx(alone.verdict.zeta_e) and found.bound_passes is False
-    (row,) = (row for row in found.verdict.assumptions if row.key == "back_restraint")
+    (row,) = (row for row in found.verdict.assumptions if row.key == "hold")
     assert row.words.code == "top_fails" and row.outcome == "not_verified"
     monkeypatch.setattr(assessment, "carries", lambda wall: False)
     fallen = assess(scene_of(light, SPECTRUM, building=BUILDING)).verdict

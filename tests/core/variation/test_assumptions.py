@@ -18,6 +18,7 @@ from tests.conftest import ROOT
 from tests.core.variation.one_evaluation import NTC, history, with_histories
 from tests.core.variation.one_evaluation import WALL as QUICK
 from tests.core.variation.one_evaluation import scene_of as quick_scene
+from tests.holds import behind
 
 # the table of any inputs
 
@@ -234,9 +235,8 @@ WALL = {
     "mechanism": "one_sided",
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
-    "back_restraint": "tied_floors",
+    "hold": behind(),
     "unloaded_confirmed": True,
-    "restraint_evidence": "drawing",
 }
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
@@ -332,7 +332,7 @@ def test_that_the_friction_of_return_walls_is_shown_without_it():
 
 @pytest.mark.shows("lifts.free_element")
 def test_that_a_two_sided_wall_declared_held_is_shown_as_a_free_element():
-    wall = {"mechanism": "two_sided", "back_restraint": None, "free_element": False, "elastic_modulus_mpa": 600.0}
+    wall = {"mechanism": "two_sided", "hold": None, "free_element": False, "elastic_modulus_mpa": 600.0}
     found = made(wall, records=False)
     free = made({**wall, "free_element": True}, records=False)
     linear = next(check for check in free.checks if check.name == "linear_q_code")
@@ -355,7 +355,7 @@ def test_that_a_participation_below_that_of_the_clause_is_shown_with_it():
 
 @pytest.mark.shows("kinematic.damaged_building", "lifts.centroid")
 def test_that_the_other_building_and_the_centroid_stand_beside_a_wall_at_height():
-    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45, "mechanism": "two_sided", "back_restraint": None}
+    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45, "mechanism": "two_sided", "hold": None}
     found = made(wall, building=BUILDING, records=False)
     other = made(wall, building={**BUILDING, "period_factor": 2.0, "damping": 0.2}, records=False)
     assert lift(found, "other_building")["zeta"].value == pytest.approx(other.verdict.zeta_e)
@@ -377,7 +377,7 @@ def test_that_generated_motions_are_named_and_natural_ones_are_not():
 def test_that_the_friction_of_return_walls_does_not_make_q_2_agree_with_the_histories():
     """The histories know no friction: where q = 2 passes by it alone, they stand alone until it is justified."""
     across = {"number": 4, "thickness_m": 0.6, "brick_height_m": 0.25, "brick_length_m": 0.2}
-    wall = {"return_walls": across, "length_m": 4.0, "thickness_m": 0.75, "restraint_evidence": "opening"}
+    wall = {"return_walls": across, "length_m": 4.0, "thickness_m": 0.75, "hold": behind("opening")}
     demand = {"ag_g": 0.17}
     found = made(wall, demand)
     checks = {check.name: check for check in found.checks}
@@ -404,7 +404,7 @@ TESTED = {"confidence_factor": 1.0, "knowledge_level": "LC3", "investigations": 
 
 def test_that_a_wall_at_rest_by_an_input_that_raises_zeta_is_indicative():
     """A chimney declared held lies still under a_g S; S_e(T_0) lifts it, and the displacement check fails."""
-    wall = {"mechanism": "two_sided", "back_restraint": None, "height_m": 0.6, "thickness_m": 0.2}
+    wall = {"mechanism": "two_sided", "hold": None, "height_m": 0.6, "thickness_m": 0.2}
     wall |= {"elastic_modulus_mpa": 600.0}
     found = made({**wall, "free_element": False}, {"ag_g": 0.18}, records=False)
     free = made(wall, {"ag_g": 0.18}, records=False)
@@ -413,7 +413,7 @@ def test_that_a_wall_at_rest_by_an_input_that_raises_zeta_is_indicative():
 
 
 def test_that_a_wall_declared_held_is_named_where_no_linear_check_is_made():
-    wall = {"mechanism": "two_sided", "back_restraint": None, "free_element": False, "elastic_modulus_mpa": 600.0}
+    wall = {"mechanism": "two_sided", "hold": None, "free_element": False, "elastic_modulus_mpa": 600.0}
     found = made(wall, {"limit_state": "SLC"}, records=False)
     assert lift(found, "lift_free_element")["zeta"].value == pytest.approx(found.verdict.zeta_e)
 
@@ -468,7 +468,7 @@ def test_that_q_2_does_not_agree_by_an_fc_below_1_35_alone():
 
 @pytest.mark.shows("lifts.law")
 def test_that_a_trilinear_law_is_shown_with_the_rigid_one():
-    wall = {"mechanism": "two_sided", "back_restraint": None, "thickness_m": 0.5, "law": "rigid"}
+    wall = {"mechanism": "two_sided", "hold": None, "thickness_m": 0.5, "law": "rigid"}
     law = {"law": {"elastic_limit": 0.3, "plateau_end": 0.301}}
     found, rigid = made({**wall, **law}, {"ag_g": 0.1}), made(wall, {"ag_g": 0.1})
     assert rigid.verdict.zeta_e < 1.0 < found.verdict.zeta_e and found.verdict.code == "indicative"

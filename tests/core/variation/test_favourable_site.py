@@ -290,7 +290,7 @@ def test_that_the_centroid_of_a_body_is_that_of_its_solids():
     gable = HIGH | {"length_m": 5.0, "gable_m": 2.0}
     rows, _ = of_building(BUILDING, gable)
     assert rows["base_z_m"].ends[0].value == pytest.approx(3.0 + (2.0 * 1.0 + 1.0 * (2.0 + 2.0 / 3.0)) / 3.0)
-    general = {key: value for key, value in HIGH.items() if key in ("name", "mechanism", "base_z_m", "back_restraint")}
+    general = {key: value for key, value in HIGH.items() if key in ("name", "mechanism", "base_z_m", "hold")}
     general |= {"radius_m": 2.0, "slenderness_deg": 5.0, "inertia_over_mass_m2": 16.0 / 3.0}
     rows, _ = of_building(BUILDING, general)
     assert rows["base_z_m"].ends[0].value == pytest.approx(3.0 + 2.0 * 0.996194698)  # R cos(5 deg)

@@ -17,7 +17,7 @@ from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, h
 SPECTRUM = {"ag_g": 0.05, "spectrum": NTC}
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 0.0}
 PARAPET |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 1000.0, "unloaded_confirmed": True}
-TWO_SIDED = {"mechanism": "two_sided", "back_restraint": None, "restraint_evidence": None}
+TWO_SIDED = {"mechanism": "two_sided", "hold": None}
 WEIGHT = {"kind": "vertical", "kn_m": 1.0, "d_m": 0.2, "h_m": 4.0, "mass": "none"}
 
 
@@ -343,7 +343,7 @@ def test_that_a_masonry_that_is_named_is_shown_as_any():
     assert "lift_masonry" not in rows_of(rubble)[0]  # the weakest there is
 
 
-GENERAL = {"name": "g", "mechanism": "one_sided", "base_z_m": 0.0, "back_restraint": "cross_walls"}
+GENERAL = {"name": "g", "mechanism": "one_sided", "base_z_m": 0.0, "hold": [{"kind": "cross_walls"}]}
 GENERAL |= {"radius_m": 2.0, "slenderness_deg": 5.0, "inertia_over_mass_m2": 16.0 / 3.0, "unit_weight_kn_m3": 18.0}
 GENERAL |= {"unloaded_confirmed": True}
 
@@ -467,7 +467,7 @@ def test_that_histories_that_are_switched_off_are_a_row_of_a_wall_that_passes(ro
     assert (there.ground, there.by_default) == ((MOTION,), True) and row.value.code == "not_made"
     assert row.reason == "a test of the clauses alone"
     held = {"name": "v", "height_m": 3.5, "thickness_m": 0.15, "mechanism": "vertical_bending", "base_z_m": 0.0}
-    held |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "drawing"}
+    held |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}]}
     held |= {"load": [WEIGHT | {"kn_m": 60.0, "h_m": 3.5, "d_m": 0.075}]}
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
     for other in (

@@ -17,6 +17,7 @@ from core.study.variants import compare_results
 from core.units import G
 from core.variation import evaluate
 from tests.clauses_alone import parse_case
+from tests.holds import at_top, behind
 from tests.validation.circolare import EN_B
 
 TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.15, "h_m": 3.0, "mass": "none"}
@@ -27,8 +28,7 @@ WALL = {
     "thickness_m": 0.3,
     "unit_weight_kn_m3": 18.0,
     "base_z_m": 3.0,
-    "back_restraint": "kerb of the floor, with anchors",
-    "restraint_kn_m": 60.0,
+    "hold": at_top(3.0, 60.0, evidence=""),
     "load": [TOP],
 }
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
@@ -62,7 +62,9 @@ def test_that_the_demand_is_that_of_the_floor_spectrum_at_mid_height():
 
 @pytest.mark.shows("held.demand")
 def test_that_low_in_a_building_the_demand_is_not_below_that_of_the_ground():
-    (wall,) = study(WALL | {"base_z_m": 0.0, "height_m": 2.0, "load": [TOP | {"h_m": 2.0}]}).walls
+    (wall,) = study(
+        WALL | {"base_z_m": 0.0, "height_m": 2.0, "load": [TOP | {"h_m": 2.0}], "hold": at_top(2.0, 60.0)}
+    ).walls
     assert wall.floor.spectrum.a_z < wall.assessment.kinematic.acceleration_demand == pytest.approx(1.2 * 0.35 * G)
 
 
@@ -93,10 +95,10 @@ def test_that_the_verdict_rests_on_the_kinematic_checks_and_says_so():
 @pytest.mark.shows("held.restraint")
 def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_is():
     strong = {"thickness_m": 0.9, "load": [TOP | {"kn_m": 200.0, "d_m": 0.45}]}
-    strong |= {"restraint_kn_m": 200.0, "restraint_evidence": "drawing"}
-    named, unnamed = (study(WALL | strong | {"back_restraint": text}).walls[0] for text in ("kerb", ""))
+    holds = at_top(3.0, 200.0), behind()  # what stands behind a wall holds no top
+    named, unnamed = (study(WALL | strong | {"hold": hold}).walls[0] for hold in holds)
     assert named.assessment.verdict.code == "not_activated"
-    word = study(WALL | strong | {"restraint_kn_m": None}).walls[0]  # how much it stands, nobody says
+    word = study(WALL | strong | {"hold": at_top(3.0)}).walls[0]  # how much it stands, nobody says
     assert word.assessment.verdict.code == "indicative" and "no_hold_strength" in codes(word)
     verdict = unnamed.assessment.verdict
     assert verdict.code == "indicative" and "no_top_restraint" in codes(unnamed)
@@ -107,7 +109,7 @@ def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_i
 def test_that_zeta_of_the_overturning_stands_beside_it():
     """The same wall, no longer held: it is that of a one-sided wall by the same checks."""
     (wall,) = study(WALL).walls
-    (alone,) = study(WALL | {"mechanism": "one_sided", "restraint_kn_m": None, "hinge_heights": "base"}).walls
+    (alone,) = study(WALL | {"mechanism": "one_sided", "hold": at_top(3.0), "hinge_heights": "base"}).walls
     assert wall.assessment.verdict.lower_bound == pytest.approx(alone.assessment.verdict.zeta_e, rel=1e-12)
     assert wall.assessment.verdict.lower_bound < wall.assessment.verdict.zeta_e and "top_fails" in codes(wall)
 
@@ -120,7 +122,7 @@ def test_that_loads_that_hold_less_inward_are_said_and_make_it_indicative():
     assert wall.assessment.checks[0].passed and "lift_bends_inward" in codes(wall)
     assert wall.assessment.verdict.code == "indicative"
     (reasoned,) = study(
-        near | {"justification": {"load": "a cross wall stands behind"}, "restraint_evidence": "drawing"}
+        near | {"justification": {"load": "a cross wall stands behind"}, "hold": at_top(3.0, 60.0)}
     ).walls
     assert reasoned.assessment.verdict.code != "indicative"
     (middle,) = study(WALL).walls
@@ -182,7 +184,7 @@ def test_that_every_limit_state_has_its_zeta():
 def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overturns():
     as_is = WALL | {
         "mechanism": "one_sided",
-        "restraint_kn_m": None,
+        "hold": at_top(3.0, evidence=""),
         "hinge_heights": "base",
         "variant": "stato di fatto",
     }
@@ -199,7 +201,7 @@ def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdi
         "height_m": 12.0,
         "thickness_m": 1.0,
         "load": [TOP | {"kn_m": 60.0, "h_m": 12.0, "d_m": 0.5}],
-        "restraint_kn_m": 300.0,
+        "hold": at_top(12.0, 300.0, evidence=""),
         "base_z_m": 0.0,
     }
     rows = ["0 0.42", "0.15 1.05", "0.5 1.05", "1.0 0.525", "2.5 0.21"]
@@ -210,7 +212,7 @@ def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdi
     assert wall.assessment.verdict.lower_bound is None
     with pytest.raises(InputError, match="T_SLV"):
         study(
-            tall | {"mechanism": "one_sided", "restraint_kn_m": None, "hinge_heights": "base"},
+            tall | {"mechanism": "one_sided", "hold": at_top(12.0), "hinge_heights": "base"},
             demand=demand,
             base_dir=tmp_path,
         )
@@ -220,26 +222,26 @@ def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdi
 def test_that_what_holds_the_top_is_a_strength_and_no_word():
     """Without a number a wall that passes is indicative; a hold is compared with what it takes at the demand."""
     small = {"demand": {"ag_g": 0.1, "spectrum": EN_B}}
-    shown = WALL | {"restraint_evidence": "opening", "unloaded_confirmed": False}
+    shown = WALL | {"hold": at_top(3.0, 60.0, "opening"), "unloaded_confirmed": False}
     reasons = {"load": "as the survey of 2024 shows", "mass": "held by the kerb, sheet 4", "d_m": "seen in the opening"}
     reasons |= {"unit_weight_kn_m3": "weighed cores, report 2"}
     shown |= {"justification": reasons, "compressive_strength_mpa": None}
     shown = {key: value for key, value in shown.items() if value is not None}
     with_strength = study(shown, **small).walls[0].assessment.verdict
-    word = {key: value for key, value in shown.items() if key != "restraint_kn_m"}
+    word = shown | {"hold": at_top(3.0, None, "opening")}
     without = study(word, **small).walls[0].assessment.verdict
     assert "no_hold_strength" not in [limit.code for limit in with_strength.limits]
     assert without.code == "indicative" and without.limits[0].code == "no_hold_strength"
-    assert without.to_do[0].code == "to_no_hold_strength" and "restraint_kn_m" in without.to_do[0].text("en")
+    assert without.to_do[0].code == "to_no_hold_strength" and "out_kn_m" in without.to_do[0].text("en")
     assert with_strength.zeta_e == without.zeta_e  # the number changes what may be said, not what was counted
     checks = {check.name: check for check in study(shown, **small).walls[0].assessment.checks}
     asked = checks["hold"].demand
     start = 1e-3 * bending(parse_case({"wall": [WALL]}).wall[0].in_si).top_force
     assert 0.0 < asked < 0.5 * start  # of a wall at rest, far less than as it starts to bend
-    enough = study(shown | {"restraint_kn_m": 1.02 * asked}, **small).walls[0].assessment
+    enough = study(shown | {"hold": at_top(3.0, 1.02 * asked, "opening")}, **small).walls[0].assessment
     assert enough.verdict.code == with_strength.code and enough.verdict.governing == "hold"
     assert enough.verdict.zeta_e == pytest.approx(1.02, abs=2e-3)
-    weak = study(shown | {"restraint_kn_m": 0.98 * asked}, **small).walls[0].assessment.verdict
+    weak = study(shown | {"hold": at_top(3.0, 0.98 * asked, "opening")}, **small).walls[0].assessment.verdict
     assert weak.code in ("not_verified", "q2_unsafe") and weak.zeta_e < 1.0 and weak.governing == "hold"
     assert "hold_top" in [limit.code for limit in weak.limits]
     with pytest.raises(InputError, match="held at its top"):
@@ -250,7 +252,7 @@ def test_that_what_holds_the_top_is_a_strength_and_no_word():
 def test_that_a_heavier_wall_asks_more_of_what_holds_it():
     pushes = 1e-3 * bending(parse_case({"wall": [WALL]}).wall[0].in_si).top_force
     small = {"demand": {"ag_g": 0.1, "spectrum": EN_B}, "sensitivity": {"unit_weight_factor": [0.9, 1.1]}}
-    found = study(WALL | {"restraint_kn_m": 0.2 * pushes}, **small).verdicts[0].sensitivity
+    found = study(WALL | {"hold": at_top(3.0, 0.2 * pushes)}, **small).verdicts[0].sensitivity
     (heavy,) = [swing for swing in found.swings if swing.key == "unit_weight_factor"]
     zetas = {end.value: end.zeta for end in heavy.ends}
     assert None not in zetas.values() and zetas[19.8] < zetas[16.2]

@@ -19,6 +19,7 @@ from core.report.workbook import WorkbookReport
 from core.study.run import run
 from tests.clauses_alone import parse_case
 from tests.core.variation.random_walls import random_tables
+from tests.holds import behind
 
 CASES = Path(__file__).parent
 
@@ -28,7 +29,7 @@ def made(table):
     without which no hinge passes by clauses alone."""
     for wall in table["wall"]:
         if wall["mechanism"] != "two_sided":
-            wall |= {"back_restraint": "tied_floors", "restraint_evidence": "drawing"}
+            wall |= {"hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}]}
     try:
         return run(parse_case(table), base_dir=CASES)
     except InputError:
@@ -64,8 +65,7 @@ def test_that_a_wall_has_the_worst_outcome_of_its_hinges_and_the_least_zeta(wall
 
 def test_that_a_hinge_of_worse_outcome_decides_though_another_has_the_lower_zeta():
     wall = {"name": "w", "height_m": 7.0, "thickness_m": 0.4, "mechanism": "one_sided", "base_z_m": 0.0}
-    wall |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "unloaded_confirmed": True}
-    wall |= {"restraint_evidence": "drawing"}
+    wall |= {"unit_weight_kn_m3": 18.0, "hold": behind(), "unloaded_confirmed": True}
     spectrum = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.6}
     result = made({"wall": [wall], "building": building, "demand": {"ag_g": 0.11, "spectrum": spectrum}})
@@ -74,7 +74,7 @@ def test_that_a_hinge_of_worse_outcome_decides_though_another_has_the_lower_zeta
     assert result.verdicts[0].governing == 1
 
 
-LEFT_OUT = ("back_restraint", "unloaded_confirmed", "elastic_modulus_mpa", "length_m")
+LEFT_OUT = ("hold", "unloaded_confirmed", "elastic_modulus_mpa", "length_m")
 
 
 def check_left_out(table) -> int:
@@ -134,7 +134,7 @@ SITE = {
 def test_that_a_limit_state_is_what_its_check_says_and_not_what_zeta_says():
     """By histories the rule fails at the demand though zeta_E lies above it: the wall is not verified there."""
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
-    wall |= {"back_restraint": "tied_floors", "unloaded_confirmed": True, "unit_weight_kn_m3": 18.0}
+    wall |= {"hold": [{"kind": "contact"}], "unloaded_confirmed": True, "unit_weight_kn_m3": 18.0}
     table = {
         "wall": [wall],
         "demand": SITE,
@@ -155,7 +155,7 @@ TIED = {
     "thickness_m": 1.0,
     "mechanism": "one_sided",
     "base_z_m": 0.0,
-    "back_restraint": "floors",
+    "hold": [{"kind": "contact"}],
     "unit_weight_kn_m3": 19.9,
     "tie_height_m": 11.7,
     "length_m": 6.85,
@@ -205,7 +205,7 @@ def test_that_a_tie_that_breaks_early_does_not_lower_the_displacement_check():
 def test_that_a_wall_rests_under_no_motion_whose_soil_was_left_out():
     """With S = 1.5 it fails; without S, taken as 1, it was said not to be lifted."""
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.5, "mechanism": "one_sided", "base_z_m": 0.0}
-    wall |= {"back_restraint": "tied_floors", "unloaded_confirmed": True, "unit_weight_kn_m3": 18.0}
+    wall |= {"hold": [{"kind": "contact"}], "unloaded_confirmed": True, "unit_weight_kn_m3": 18.0}
     demand = {"ag_g": 0.05, "limit_state": "SLD", "soil_factor": 1.5}
     assert made({"wall": [wall], "demand": demand}).walls[0].assessment.verdict.code == "not_verified"
     del demand["soil_factor"]

@@ -38,7 +38,7 @@ LOADED = {
     "unit_weight_kn_m3": 18.0,
     "length_m": 4.0,
     "base_z_m": 0.0,
-    "back_restraint": "cross walls",
+    "hold": [{"kind": "cross_walls"}],
     "free_element": True,
     "law": "rigid",
     "elastic_modulus_mpa": 1500.0,
@@ -236,7 +236,7 @@ def test_that_what_is_refused_is_named_and_turns_nothing():
         "unit_weight_kn_m3": 18.0,
         "length_m": 4.0,
         "base_z_m": 0.0,
-        "back_restraint": "floor slab",
+        "hold": [{"kind": "contact"}],
         "unloaded_confirmed": True,
     }
     building = {"height_m": 6.0, "storeys": 2, "period_s": 0.2}

@@ -26,23 +26,19 @@ from core.variation.evaluate import evaluate
 from core.variation.favourable_site import favourable_demand
 from tests.clauses_alone import parse_case
 from tests.core.ooxml.writers import WRITERS, workbook
+from tests.holds import at_top
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
 WALL = {"name": "w", "height_m": 4.0, "thickness_m": 0.45, "mechanism": "one_sided", "base_z_m": 0.0}
-WALL |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "opening"}
+WALL |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "opening"}}]}
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 0.0}
 PARAPET |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 1000.0, "unloaded_confirmed": True}
 LONE = {"name": "l", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
-LONE |= {"unit_weight_kn_m3": 18.0, "back_restraint": "tied_floors", "restraint_evidence": "drawing"}
+LONE |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}]}
 LONE |= {"unloaded_confirmed": True}
 LOADED = {key: value for key, value in LONE.items() if key != "unloaded_confirmed"} | {"hinge_heights": "base"}
 HELD = {"name": "v", "height_m": 3.5, "thickness_m": 0.15, "mechanism": "vertical_bending", "base_z_m": 0.0}
-HELD |= {
-    "unit_weight_kn_m3": 18.0,
-    "back_restraint": "tied_floors",
-    "restraint_evidence": "drawing",
-    "restraint_kn_m": 80.0,
-}
+HELD |= {"unit_weight_kn_m3": 18.0, "hold": at_top(3.5, 80.0)}
 HELD |= {"load": [{"kind": "vertical", "kn_m": 60.0, "h_m": 3.5, "d_m": 0.075, "mass": "none"}]}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 NTC_AG = {"ag_g": 0.1, "spectrum": NTC}
@@ -656,7 +652,7 @@ def test_that_an_outcome_that_rests_on_a_reason_says_so():
 )
 def test_that_what_names_something_is_accepted(words):
     """A citation with its number; what was taken away to see the masonry."""
-    wall = LONE | {"restraint_note": words}
+    wall = LONE | {"justification": {"h_m": words}}
     demand = {**NTC_AG, "zeta_target": 0.6, "justification": {"zeta_target": words}}
     assert found_of(wall, demand).walls[0].assessment.verdict.code
 
@@ -675,13 +671,7 @@ def test_that_what_shows_the_restraint_stands_in_the_language_of_the_table():
     for language, words in (("it", "da un disegno"), ("en", "by a drawing")):
         cells = [row for row, _ in assumption_table.rows_of(found, found.walls[0], language)]
         assert [row[-1] for row in cells if words in row] == [words]
-    assert rows_of(found)["back_restraint"]["reason"] == "by a drawing"
-
-
-@pytest.mark.parametrize("note", ["da definire", "non so", "muri trasversali crollati", "demolished in 1950"])
-def test_that_a_note_that_denies_what_holds_the_wall_is_refused(note):
-    with pytest.raises(InputError, match="note"):
-        found_of(LONE | {"restraint_note": note}, NTC_AG)
+    assert rows_of(found)["hold"]["reason"] == "by a drawing"
 
 
 def test_that_records_which_are_doubted_are_a_limit_of_the_verdict(fine, tmp_path):

@@ -389,7 +389,7 @@ def test_that_no_tie_below_a_hinge_that_fails_is_enough(tmp_path):
 @pytest.mark.long
 def test_that_the_tie_found_in_a_study_brings_the_dynamic_check_to_its_target(tmp_path, seconds):
     """seconds : of three records scaled to the demand, in place of three compatible motions of 25 s"""
-    wall = {**WALL, "load": [ROOF, {**THRUST, "kn_m": 2.5}], "tie_height_m": 2.9, "back_restraint": "cross walls"}
+    wall = {**WALL, "load": [ROOF, {**THRUST, "kn_m": 2.5}], "tie_height_m": 2.9, "hold": [{"kind": "cross_walls"}]}
     wall |= {"tie_bar_length_m": 8.0, "tie_elongation_m": 0.4}
     table = {"wall": [wall], "demand": DEMAND, "generate": {"scatter": 0.0, "count": 3}, "analysis": {"q_step": 0.05}}
     if seconds:

@@ -226,7 +226,7 @@ def test_that_forty_walls_under_records_are_written_as_they_run(kind):
 def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
     """The tie of the force named, as a load of the case."""
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.5, "mechanism": "one_sided", "base_z_m": 0.0}
-    wall |= {"unit_weight_kn_m3": 18.0, "back_restraint": "cross walls", "unloaded_confirmed": True}
+    wall |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls"}], "unloaded_confirmed": True}
     wall |= {"tie_height_m": 5.7, "tie_bar_length_m": 8.0, "tie_elongation_m": 0.4}
     spectrum = {"code": "NTC2018", "soil": "B", "topography": "T1", "f0": 2.36, "tc_star_s": 0.35}
     for records in (False, True):

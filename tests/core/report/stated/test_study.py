@@ -25,7 +25,7 @@ def test_that_the_results_of_a_shipped_case_are_as_the_schema_says(name, shipped
 
 
 HELD = {"name": "held", "mechanism": "vertical_bending", "height_m": 4.0, "thickness_m": 0.4, "length_m": 4.0}
-HELD |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "back_restraint": "cross walls"}
+HELD |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "hold": [{"kind": "cross_walls"}]}
 HELD |= {"load": [{"kind": "vertical", "kn_m": 10.0, "d_m": 0.15, "h_m": 4.0, "mass": "none"}]}
 TIED = {"name": "tied", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.6, "length_m": 9.0}
 TIED |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "tie_height_m": 6.0, "tie_bar_length_m": 8.0}

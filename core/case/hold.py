@@ -1,0 +1,131 @@
+"""What holds a wall: each hold with its place, what it stands, and the document that shows it."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from core.case.keys import choice_key, key, number_key, text_key
+from core.known import require_value
+from core.wall import arch
+from core.wall.ties import elongation_at_yield
+
+AT_A_HEIGHT = "floor", "roof", "ring_beam", "anchor", "tie"
+"""Holds that have a height."""
+
+BETWEEN = "cross_walls", "buttress"
+"""Holds that hold a wall only where they stand along it."""
+
+HOLDS = ("floor", "roof", "ring_beam", "anchor", *BETWEEN, "contact")
+"""Kinds of holds."""
+
+PRESENCE = "drawing", "opening", "survey", "photograph"
+STRENGTH = "test", "calculation", "dimensioned_drawing"
+"""Kinds of documents that show that a hold is there, and those that show what it stands too."""
+
+
+@dataclass(frozen=True)
+class Document:
+    """evidence of a hold: the document that shows it, printed as the engineer's declaration.
+
+    kind : a photograph shows no strength; dimensioned_drawing : a drawing with the anchors dimensioned
+    """
+
+    kind: str = choice_key(*PRESENCE, *STRENGTH)
+    reference: str = text_key()
+    date: str = text_key()
+    note: str = text_key()
+
+
+@dataclass(frozen=True)
+class Hold:
+    """[[wall.hold]]: what holds a wall.
+
+    name : by default its kind and its height
+    h_m : above the base of the wall; of cross walls, a buttress or contact from_m to to_m in its place, where to_m is
+        by default the lowest of the highest floor or roof, the eaves and the top of the building
+    out_kn_m : what it stands outward, per metre of wall; of cross walls and buttresses per metre of height, across each
+        end of the wall between them beside the friction of its thrust; without it a hold is contact
+    spacing_m : clear distance L between two cross walls or buttresses, between which the wall spans
+    tie_kn_m : yield force of the ties along the wall that its ends push against, per metre of its height
+    tie_bar_length_m, tie_elongation_m : length of a bar of these, and the elongation it stands
+    shoulder_length_m, shoulder_thickness_m : of the masonry beyond the last cross wall, along the wall and across it
+    corner_wall : wall of the case with a [wall.corner] that stands there, and takes the thrust; corner_side : which of
+        its two walls this one goes on from, 1 or 2
+    """
+
+    kind: str = choice_key(*HOLDS)
+    name: str = text_key()
+    h_m: float | None = number_key(0.0, 60.0, unit="m", exclusive=True)
+    from_m: float | None = number_key(0.0, 60.0, unit="m")
+    to_m: float | None = number_key(0.0, 60.0, unit="m", exclusive=True)
+    out_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
+    spacing_m: float | None = number_key(0.3, 50.0, unit="m")
+    tie_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
+    tie_bar_length_m: float | None = number_key(0.2, 300.0, unit="m")
+    tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m")
+    shoulder_length_m: float | None = number_key(0.05, 50.0, unit="m")
+    shoulder_thickness_m: float | None = number_key(0.05, 20.0, unit="m", form_unit="cm")
+    corner_wall: str = text_key()
+    corner_side: int | None = number_key(1, 2, whole=True)
+    evidence: Document | None = key("section", of=Document, columns="hold{n}_evidence_")
+
+    @property
+    def only_there(self) -> bool:
+        """Whether it holds a wall only where it stands, and how far apart is not said."""
+        return self.kind in BETWEEN and self.spacing_m is None
+
+    @property
+    def shows_strength(self) -> bool:
+        """Whether its document shows what it stands, not only that it is there."""
+        return self.evidence is not None and self.evidence.kind in STRENGTH
+
+    @property
+    def with_tie(self) -> bool:
+        """Whether ties along the wall are said to hold its ends."""
+        return self.tie_kn_m is not None
+
+    @property
+    def with_shoulder(self) -> bool:
+        """Whether masonry beyond its ends is."""
+        return self.shoulder_length_m is not None
+
+    @property
+    def at_yield(self) -> float:
+        """Elongation of a bar of the ties along the wall at yield [m]."""
+        return elongation_at_yield(require_value(self.tie_bar_length_m))
+
+    @property
+    def alone(self) -> "Hold":
+        """The same as something behind the wall, which does not span to it."""
+        return Hold(self.kind, self.name, from_m=self.from_m, to_m=self.to_m, evidence=self.evidence)
+
+    def above(self, height: float) -> "Hold | None":
+        """The hold as the part of a wall above a height of it has it [m]; None of what is lower."""
+        if self.kind in AT_A_HEIGHT:
+            left = require_value(self.h_m) - height
+            return replace(self, h_m=left) if left > 0.0 else None
+        if self.to_m is not None and self.to_m <= height:
+            return None
+        low = None if self.from_m is None else max(0.0, self.from_m - height)
+        return replace(self, from_m=low, to_m=None if self.to_m is None else self.to_m - height)
+
+    def top(self, least: Iterable[float]) -> float | None:
+        """Height up to which it holds [m]. least : those of which the lowest is that of cross walls, a buttress or
+        contact without one of its own; None where there is none"""
+        return self.h_m if self.kind in AT_A_HEIGHT else self.to_m or min(least, default=None)
+
+    def arch_in_si(
+        self, height: float, thickness: float, unit_weight: float, strength: float, presses: float
+    ) -> arch.Arch:
+        """The arch of a wall between two of these. height, thickness : [m]; unit_weight : w [N/m3]; strength : f [Pa];
+        presses : what presses the wall outward between them [N/m]"""
+        tie = shoulder = None
+        spacing = require_value(self.spacing_m)
+        if self.tie_kn_m is not None and self.tie_bar_length_m is not None and self.tie_elongation_m is not None:
+            bays = max(1.0, self.tie_bar_length_m / spacing)
+            tie = arch.Along(1e3 * self.tie_kn_m, self.at_yield, self.tie_elongation_m, bays)
+        if self.shoulder_length_m is not None and self.shoulder_thickness_m is not None:
+            sizes = self.shoulder_length_m, self.shoulder_thickness_m
+            parted = arch.parted_flat(spacing, thickness)
+            shoulder = arch.thrust_of_shoulder(*sizes, height, unit_weight, parted)
+        by_ends = arch.arch_of(spacing, thickness, strength, tie, shoulder, presses)
+        return by_ends._replace(across=1e3 * (self.out_kn_m or 0.0))

@@ -1,0 +1,97 @@
+"""What is wrong with the holds of a wall, and how the keys that said the same before are written now."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from core.case.hold import AT_A_HEIGHT, BETWEEN, Hold
+from core.case.wall import BENDS, Wall
+from core.errors import InputError, place
+from core.text.sentence import Key
+from core.wall.bending import TOP_TOLERANCE
+
+OF_ENDS = ("tie_kn_m", "tie_bar_length_m", "tie_elongation_m", "shoulder_length_m", "shoulder_thickness_m")
+OF_ENDS += ("corner_wall", "corner_side")
+"""Keys of what the ends of a wall push against, where it spans between two holds."""
+
+
+def check_holds(wall: Wall) -> None:
+    """Raise InputError for holds that are not complete, contradict each other or are not on the wall."""
+    here = (place("wall", name=wall.title),)
+    for n, hold in enumerate(wall.hold, start=1):
+        _check_hold(wall, hold, (*here, place("hold", n=n)))
+    spans = [n for n, hold in enumerate(wall.hold, start=1) if hold.spacing_m is not None]
+    if len(spans) > 1:
+        raise InputError("hold_two_spacings", place=(*here, place("hold", n=spans[1])), key="spacing_m", first=spans[0])
+
+
+def _check_hold(wall: Wall, hold: Hold, here) -> None:
+    high = hold.kind in AT_A_HEIGHT
+    if high and hold.h_m is None:
+        raise InputError("hold_needs", place=here, key="h_m", kind=hold.kind)
+    others = ("from_m", "to_m") if high else ("h_m",)
+    others += () if hold.kind in BETWEEN else ("spacing_m", *OF_ENDS)
+    others += ("out_kn_m",) if hold.kind == "contact" else ()
+    if given := [key for key in others if getattr(hold, key) not in (None, "")]:
+        raise InputError("hold_key", place=here, key=given[0], kind=hold.kind)
+    of_ends = [key for key in (*OF_ENDS, "out_kn_m") if getattr(hold, key) not in (None, "")]
+    if of_ends and hold.only_there:
+        raise InputError("hold_needs_spacing", place=here, key=of_ends[0], needed=Key("spacing_m"))
+    if hold.to_m is not None and hold.to_m <= (hold.from_m or 0.0):
+        raise InputError("hold_reversed", place=here, key="to_m", found=hold.to_m, least=hold.from_m or 0.0)
+    _check_height(wall, hold, here)
+
+
+def _check_height(wall: Wall, hold: Hold, here) -> None:
+    """Rules of a hold beside the height of its wall."""
+    if (height := wall.height_m) is None:
+        return
+    for key in ("h_m", "from_m", "to_m"):
+        if (at := getattr(hold, key)) is not None and at > height * (1.0 + TOP_TOLERANCE):
+            raise InputError("hold_outside", place=here, key=key, found=at, most=height)
+    below = hold.kind in AT_A_HEIGHT and hold.h_m is not None and hold.h_m < height * (1.0 - TOP_TOLERANCE)
+    if below and wall.mechanism == BENDS:
+        raise InputError("hold_below_top", place=here, key="h_m", found=hold.h_m, height=height)
+    if hold.kind in AT_A_HEIGHT and hold.out_kn_m is not None and wall.mechanism != BENDS:
+        raise InputError("hold_of_bending", place=here, key="out_kn_m")
+
+
+OLD_KEYS = ("back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m", "arch")
+"""Keys of a wall that [[wall.hold]] takes the place of."""
+
+OLD_KINDS = {"tied_floors": "floor", "other": "contact"}
+"""Restraint of older cases -> kind of hold, where it has another name."""
+
+
+def refuse_old_keys(table: Mapping[str, Any], here) -> None:
+    """Raise InputError for a key that [[wall.hold]] takes the place of, with the new writing of what it says.
+
+    table : keys of a wall; here : its place
+    """
+    if old := next((key for key in OLD_KEYS if key in table), None):
+        raise InputError("old_key", place=(here,), key=old, written=rewritten(table))
+
+
+def rewritten(table: Mapping[str, Any]) -> str:
+    """What the older keys of a wall say, as the line of a case file that says it now."""
+    ends = dict(table["arch"]) if isinstance(table.get("arch"), Mapping) else {}
+    said = str(table.get("back_restraint") or "")
+    kind = OLD_KINDS.get(said, said if said in (*AT_A_HEIGHT, *BETWEEN) else "contact")
+    kind = kind if not ends or kind in BETWEEN else "cross_walls"
+    keys = [f'kind = "{kind}"']
+    if kind in AT_A_HEIGHT:
+        at = table.get("height_m") if table.get("mechanism") == BENDS else None
+        keys.append(f"h_m = {'...' if at is None else at}")
+    if table.get("restraint_kn_m") is not None:
+        keys.append(f"out_kn_m = {table['restraint_kn_m']}")
+    keys += [f"{key} = {_as_toml(value)}" for key, value in ends.items()]
+    evidence, note = table.get("restraint_evidence"), table.get("restraint_note")
+    if evidence not in (None, "", "none"):
+        noted = f", note = {_as_toml(note)}" if note else ""
+        keys.append(f"evidence = {{ kind = {_as_toml(evidence)}{noted} }}")
+    elif note:
+        keys.append(f"name = {_as_toml(note)}")
+    return f"hold = [{{ {', '.join(keys)} }}]"
+
+
+def _as_toml(value: Any) -> str:
+    return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"' if isinstance(value, str) else str(value)
