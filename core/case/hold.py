@@ -119,6 +119,7 @@ class Hold:
         """The arch of a wall between two of these. height, thickness : [m]; unit_weight : w [N/m3]; strength : f [Pa];
         presses : what presses the wall outward between them [N/m]"""
         tie = shoulder = None
+        beyond = 0.0
         spacing = require_value(self.spacing_m)
         if self.tie_kn_m is not None and self.tie_bar_length_m is not None and self.tie_elongation_m is not None:
             bays = max(1.0, self.tie_bar_length_m / spacing)
@@ -127,5 +128,6 @@ class Hold:
             sizes = self.shoulder_length_m, self.shoulder_thickness_m
             parted = arch.parted_flat(spacing, thickness)
             shoulder = arch.thrust_of_shoulder(*sizes, height, unit_weight, parted)
-        by_ends = arch.arch_of(spacing, thickness, strength, tie, shoulder, presses)
+            beyond = unit_weight * sizes[0] * sizes[1]
+        by_ends = arch.arch_of(spacing, thickness, strength, tie, shoulder, presses, beyond)
         return by_ends._replace(across=1e3 * (self.out_kn_m or 0.0))

@@ -200,6 +200,14 @@ def _without_what_stretches(wall: Masonry) -> Masonry:
     return replace(wall, arch=wall.arch.without_tie) if wall.arch is not None and wall.arch.tied else wall
 
 
+def _pushed_along(wall: Masonry, demand: SeismicDemand, floor: FloorSpectrum | None) -> Masonry:
+    """A wall between transverse walls while the demand pushes the masonry beyond its ends along the wall."""
+    if wall.arch is None:
+        return wall
+    largest = demand.pga if floor is None else max(floor.a_z, demand.pga)
+    return replace(wall, arch=wall.arch.under(largest / G))
+
+
 def analyse_mechanism(
     wall: Masonry, mechanism: str, demand: SeismicDemand, floor: FloorSpectrum | None = None
 ) -> KinematicAnalysis:
@@ -208,6 +216,7 @@ def analyse_mechanism(
     floor : above the ground the spectrum of its floor; None there means that the demand has none
     Raises InputError where the spectrum of a file ends before T_SLV, T_SLC or T_0.
     """
+    wall = _pushed_along(wall, demand, floor)
     wall = _without_what_stretches(wall) if demand.limit_state == "SLD" else wall
     free, sums = wall.is_free(mechanism), sum_chain(wall, mechanism == "two_sided")
     alpha0, e_star, mass = sums.start

@@ -11,7 +11,7 @@ from core.derivation.quantity import Given, quantity
 from core.known import require_value
 from core.study.results import WallResult
 from core.units import G
-from core.wall.arch import parted_flat, thrust_of_shoulder
+from core.wall.arch import ALONG, parted_flat, thrust_of_shoulder
 from core.wall.bending import spread_over
 
 SPACING = Given("spacing", "L", "m", 2, "0.00", "L between the transverse walls")
@@ -22,6 +22,7 @@ STANDS = Given("tie_stands", "v_u", "m", 4, label="v_u, elongation a bar stands"
 DEVELOPED = Given("tie_force", "H_t", "kN/m", 2, "0.000", "H_t, what those ties pull at 0.40 d_0")
 SHOULDER_LENGTH = Given("shoulder_length", "b_s", "m", 2, "0.00", "b_s of the masonry beyond, along the wall")
 SHOULDER_THICKNESS = Given("shoulder_thickness", "s_s", "m", 3, "0.000", "s_s of the masonry beyond, across the wall")
+PUSHED = Given("pushed", "α_d", "–", 4, label="α_d, largest push across the wall, 0.3 of which acts along it")
 MORE = Given("more_weight", "Q", "kN/m", 2, "0.000", "Q of masses that push the wall, spread over a metre of height")
 PRESSED = Given("pressed", "P", "kN/m", 2, "0.000", "P that presses the wall outward, spread over a metre of height")
 
@@ -35,14 +36,19 @@ def parted(spacing, thickness):
     return sqrt(spacing**2 + 4 * thickness**2) - spacing
 
 
-@quantity("H_s", "kN/m", "", 2, "0.000", label="H_s, overturning or sliding of the masonry beyond", name="by_shoulder")
-def by_shoulder(weight, shoulder_thickness, shoulder_length, height, parted):
+@quantity("H_s,0", "kN/m", "", 2, "0.000", label="H_s,0, overturning or sliding of the masonry beyond", name="at_rest")
+def at_rest(weight, shoulder_thickness, shoulder_length, height, parted):
     return (
         weight
         * shoulder_thickness
         * shoulder_length
         * min(shoulder_length / height * max(1 - 2 * parted / shoulder_length, 0), 0.4)
     )
+
+
+@quantity("H_s", "kN/m", "NTC 7.3.5", 2, "0.000", label="H_s, less the inertia of that masonry", name="by_shoulder")
+def by_shoulder(at_rest, pushed, weight, shoulder_thickness, shoulder_length):
+    return max(at_rest - 0.3 * pushed * weight * shoulder_thickness * shoulder_length, 0)
 
 
 @quantity("H_c", "kN/m", "", 2, "0.000", label="H_c, crushing of the hinges", name="by_crushing")
@@ -112,7 +118,7 @@ def geometry(wall: WallResult) -> Section:
         require_value(asked.thickness),
     )
     found = require_value(wall.mechanics.wall.arch) if wall.assessment and wall.assessment.kinematic else own
-    with_tie = given.with_tie and found == own  # at SLD no tie counts
+    with_tie = given.with_tie and found == own.under(found.pushed)  # at SLD no tie counts
     weight, strength = require_value(asked.unit_weight_kn_m3), require_value(asked.compressive_strength_mpa)
     lines: list[Line | Columns] = [
         Line(SPACING, given.spacing_m, INPUT, VALUE),
@@ -129,7 +135,11 @@ def geometry(wall: WallResult) -> Section:
         apart = parted_flat(require_value(given.spacing_m), thickness)
         lines += [Line(SHOULDER_LENGTH, sizes[0], INPUT, VALUE), Line(SHOULDER_THICKNESS, sizes[1], INPUT, VALUE)]
         lines.append(Line(parted, apart, note=FULL))
-        lines.append(Line(by_shoulder, thrust_of_shoulder(*sizes, height, weight, apart), note=FULL))
+        resting = thrust_of_shoulder(*sizes, height, weight, apart)
+        lines.append(Line(at_rest, resting, note=FULL))
+        lines.append(Line(PUSHED, found.pushed, RUN, VALUE))
+        left = max(0.0, resting - ALONG * found.pushed * weight * sizes[0] * sizes[1])
+        lines.append(Line(by_shoulder, left, note=FULL))
     lines.append(Line(by_crushing, by_crushing.function(strength, thickness), note=FULL))
     by = thrust_of_both if with_tie and given.with_shoulder else thrust_by_shoulder
     if given.with_shoulder or with_tie:

@@ -79,10 +79,18 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
 
 def limit_of_ends(wall: Masonry, moving: MovingStrip) -> HoldLimit:
     """Limit of the ends of a wall that spans between transverse walls: each stands the friction of its thrust across
-    it and what is said to hold it, against V = (alpha W + what presses the wall)/2.
+    it and what is said to hold it, against V = (alpha W + what presses the wall)/2. The thrust of the masonry beyond
+    is what its own inertia along the wall leaves of it.
 
     moving : the strip that lies, a metre of its height
     """
     arch, strip = require_value(wall.arch), moving.strip
-    stands = arch.held_across
-    return HoldLimit(ENDS, stands, max(0.0, 2.0 * stands / strip.weight - strip.pressed), "outward")
+    at_rest = max(0.0, 2.0 * arch.held_across / strip.weight - strip.pressed)
+    if not arch.beyond:
+        return HoldLimit(ENDS, arch.held_across, at_rest, "outward")
+
+    def holds(alpha: float) -> bool:
+        return 0.5 * (alpha + strip.pressed) * strip.weight <= arch.under(alpha).held_across
+
+    push, _, _ = narrowed(holds, 0.0, at_rest, steps=BISECTIONS)
+    return HoldLimit(ENDS, arch.under(push).held_across, push, "outward")

@@ -139,6 +139,11 @@ class CheckInput:
             limit for side, (wall, moving) in self._moving.items() for limit in limits_of_bending(wall, moving, side)
         )
 
+    def find_strength(self, limit: HoldLimit, alpha: float) -> float:
+        """What a hold stands [N/m] under pushes up to alpha [-]."""
+        arch = self._moving[limit.side][0].arch
+        return limit.stands if arch is None else arch.under(alpha).held_across
+
     def find_reaction(self, limit: HoldLimit, alpha: float) -> float:
         """What a hold takes [N/m] under pushes up to alpha [-]."""
         wall, moving = self._moving[limit.side]

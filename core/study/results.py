@@ -153,7 +153,8 @@ class WallResult:
     def threshold(self) -> float:
         """Acceleration that starts the motion [m/s2]: a_RM, of a wall held at its top alpha_0 g, of one between
         transverse walls that of what holds it before its ties are stretched."""
-        if (own := self.wall.in_si).arch is not None:
+        own = self.assessment.kinematic.wall if self.assessment and self.assessment.kinematic else self.wall.in_si
+        if own.arch is not None:
             return G * restraint_multiplier_at_rest(own, bending(own))
         return G * uplift_multiplier(self.wall.in_si, self.mechanism) if self.wall.bends else self.model.threshold
 

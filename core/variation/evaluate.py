@@ -115,7 +115,8 @@ class Evaluation:
             stretches_left_out=scene.stretches_left_out,
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
-        return Evidence(scene.wall.in_si, scene.mechanism, demand, *parts)
+        wall = scene.kinematic.wall if scene.kinematic and scene.wall.arch else scene.wall.in_si
+        return Evidence(wall, scene.mechanism, demand, *parts)
 
     def _unbranched(self) -> str:
         """Code of the reason why the histories have not the elastic branch the clause asks for."""
@@ -193,10 +194,8 @@ def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: Dy
     alpha, demand = max(pushes) / G, scene.demand
     limit = min(limits, key=lambda limit: limit.push)
     zeta = limit.share(alpha)
-    reaction = 1e-3 * scene.find_reaction(limit, alpha)
-    return Check(
-        "hold", HOLD_CLAUSE, "kN/m", 1e-3 * limit.stands, reaction, zeta, zeta >= demand.zeta_target - ZETA_ROUNDING
-    )
+    reaction, stands = 1e-3 * scene.find_reaction(limit, alpha), 1e-3 * scene.find_strength(limit, alpha)
+    return Check("hold", HOLD_CLAUSE, "kN/m", stands, reaction, zeta, zeta >= demand.zeta_target - ZETA_ROUNDING)
 
 
 def _place_hold(evaluation: Evaluation, hold: Check | None) -> tuple[Check, ...]:

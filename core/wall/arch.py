@@ -18,6 +18,10 @@ ROUNDS = 50
 FRICTION = 0.4
 """Friction coefficient of the masonry against which the ends of an arch push."""
 
+ALONG = 0.3
+"""Share of the demand across the wall that acts along it at the same time, and pushes the masonry beyond its ends
+outward (NTC 2018 7.3.5)."""
+
 TIE, SHOULDER, CRUSHING = "arch_tie", "arch_shoulder", "arch_crushing"
 """What the thrust of the ends is limited by."""
 
@@ -37,6 +41,9 @@ class Arch(NamedTuple):
     tied : whether H is that of a tie, which pulls only once the ends have parted
     stands : by how much the ends may part before that tie breaks [m]; strength : f of the masonry [Pa]
     across : what holds each end across the wall beside the friction of its thrust [N/m]
+    beyond : weight of the masonry beyond an end [N/m]; at_rest : H of it without a push along the wall, pull : of the
+        ties, most : that crushes the hinges [N/m]; lasts : `stands` of the ties
+    pushed : alpha across the wall at which these are [-]
     """
 
     spacing: float
@@ -48,6 +55,20 @@ class Arch(NamedTuple):
     stands: float = math.inf
     strength: float = math.inf
     across: float = 0.0
+    beyond: float = 0.0
+    at_rest: float = 0.0
+    pull: float = 0.0
+    most: float = math.inf
+    lasts: float = math.inf
+    pushed: float = 0.0
+
+    def under(self, alpha: float) -> "Arch":
+        """The arch under a push of alpha across the wall [-]: the masonry beyond takes so much less as ALONG of it
+        pushes it along the wall (its inertia)."""
+        if not self.beyond:
+            return self
+        shoulder = max(0.0, self.at_rest - ALONG * alpha * self.beyond)
+        return _by_ends(self._replace(pushed=alpha), shoulder)
 
     @property
     def held_across(self) -> float:
@@ -85,8 +106,8 @@ def parted_flat(spacing: float, thickness: float) -> float:
 
 
 def thrust_of_shoulder(length: float, thickness: float, height: float, unit_weight: float, parted: float) -> float:
-    """H [N/m] that masonry beyond a transverse wall takes: the least of what overturns it about the edge of its base,
-    w s b^2/h (1 - 2 v/b) with H spread over the height, and of what makes it slide, mu w s b.
+    """H [N/m] that masonry beyond a transverse wall takes at rest: the least of what overturns it about the edge of its
+    base, w s b^2/h (1 - 2 v/b) with H spread over the height, and of what makes it slide, mu w s b.
 
     length, thickness : b along the thrust and s across it [m]; height : h [m]; unit_weight : w [N/m3]
     parted : v, by which the ends have parted at mid-height, all to this side: so far it leans [m]
@@ -113,20 +134,39 @@ def developed(along: Along, spacing: float, thickness: float, presses: float) ->
 
 
 def arch_of(
-    spacing: float, thickness: float, strength: float, tie: Along | None, shoulder: float | None, presses: float = 0.0
+    spacing: float,
+    thickness: float,
+    strength: float,
+    tie: Along | None,
+    shoulder: float | None,
+    presses: float = 0.0,
+    beyond: float = 0.0,
 ) -> Arch:
     """The arch by what its ends take: the larger of what the tie alone and the shoulder alone do, no more than what the
     hinges are crushed by.
 
     spacing, thickness : L and t [m]; strength : f of the masonry [Pa]; presses : of `developed`
-    tie : along the wall; shoulder : `thrust_of_shoulder`
+    tie : along the wall; shoulder : `thrust_of_shoulder`; beyond : its weight [N/m]
     """
-    most = 1.5 * strength * MAX_SETBACK * thickness
-    beyond = min(shoulder or 0.0, most)
-    thrust, by, stands = max(beyond, MIN_THRUST), SHOULDER, math.inf
-    if tie is not None and (pull := developed(tie, spacing, thickness, presses)) > beyond:
-        thrust, by, stands = max(pull, MIN_THRUST), TIE, tie.stands / tie.bays
-    tied = by == TIE
-    if thrust >= most or (shoulder is not None and beyond == most and not tied):
-        thrust, by = most, CRUSHING
-    return Arch(spacing, thrust, setback_of(thrust, strength), by, beyond, tied, stands, strength)
+    pull = 0.0 if tie is None else developed(tie, spacing, thickness, presses)
+    lasts = math.inf if tie is None else tie.stands / tie.bays
+    most, at_rest = 1.5 * strength * MAX_SETBACK * thickness, shoulder or 0.0
+    made = Arch(spacing, 0.0, 0.0, SHOULDER, 0.0, False, lasts, strength, 0.0, beyond, at_rest, pull, most, lasts)
+    return _by_ends(made, at_rest)
+
+
+def _by_ends(arch: Arch, shoulder: float) -> Arch:
+    """An arch with the thrust that its ends take. shoulder : what the masonry beyond does [N/m]"""
+    beyond = min(shoulder, arch.most)
+    tied = arch.pull > beyond
+    thrust, by = max(arch.pull if tied else beyond, MIN_THRUST), TIE if tied else SHOULDER
+    if thrust >= arch.most:
+        thrust, by = arch.most, CRUSHING
+    return arch._replace(
+        thrust=thrust,
+        setback=setback_of(thrust, arch.strength),
+        by=by,
+        shoulder=beyond,
+        tied=tied,
+        stands=arch.lasts if tied else math.inf,
+    )

@@ -3,6 +3,7 @@
 import itertools
 import math
 import random
+from dataclasses import replace
 
 import pytest
 
@@ -122,13 +123,16 @@ def test_that_the_ends_of_an_arch_slip_where_friction_no_longer_holds_them():
     case = case_of_text(SPANNING, ROOT / "spanning.toml")
     masonry = case.wall[0].in_si
     strip = strip_of(masonry)
-    limit = limit_of_ends(masonry, MovingStrip(strip, lowest_hinge(strip)))
-    assert limit.hold == ENDS and limit.push == pytest.approx(0.256000, rel=1e-4)
+    moving = MovingStrip(strip, lowest_hinge(strip))
+    limit = limit_of_ends(masonry, moving)
+    assert limit.hold == ENDS and limit.push == pytest.approx(0.214765, abs=6e-7)
+    still = replace(masonry, arch=masonry.arch._replace(beyond=0.0))  # the masonry beyond has no inertia
+    assert limit_of_ends(still, moving).push == pytest.approx(0.256000, abs=6e-7)
     (wall,) = run(case, base_dir=ROOT).walls
     check = next(check for check in wall.assessment.checks if check.name == "hold")
-    assert check.demand == pytest.approx(2.7504, rel=1e-3) and check.capacity == pytest.approx(2.592, rel=1e-3)
+    assert check.demand == pytest.approx(2.7504, rel=1e-3) and check.capacity == pytest.approx(2.0639, rel=1e-3)
     assert wall.assessment.verdict.governing == "hold" and wall.assessment.verdict.zeta_e == pytest.approx(
-        0.942, abs=1e-3
+        0.7906, abs=1e-3
     )
     assert wall.assessment.verdict.code in ("not_verified", "q2_unsafe")
 
@@ -137,7 +141,7 @@ def test_that_what_holds_the_ends_across_is_added_to_their_friction():
     table = SPANNING.replace("shoulder_thickness_m = 0.45", "shoulder_thickness_m = 0.45\nout_kn_m = 1.0")
     (wall,) = run(case_of_text(table, ROOT / "spanning.toml"), base_dir=ROOT).walls
     check = next(check for check in wall.assessment.checks if check.name == "hold")
-    assert check.capacity == pytest.approx(3.592, rel=1e-3) and check.passed
+    assert check.capacity == pytest.approx(3.0639, rel=1e-3) and check.passed
 
 
 @pytest.mark.shows("held.reaction")

@@ -156,3 +156,22 @@ def test_that_a_tie_pulls_as_far_as_the_ends_have_parted_and_each_bay_takes_its_
     assert both.tied and both.without_tie.thrust == 2e4
     pressed = arch_of(5.0, 0.45, strong, Along(3e4, at_limit, 1.0, 1.0), None, presses=1e4)
     assert pressed.thrust < whole.thrust  # its hinges lie in line earlier, so that d_SLV is less
+
+
+def test_that_masonry_beyond_pushed_along_the_wall_holds_less_until_a_tie_or_nothing_is_left():
+    """H_s - 0.3 alpha W_s, no more than crushes the hinges; under no push it is the arch as it is."""
+    rng = np.random.default_rng(12)
+    for _ in range(200):
+        beyond, at_rest, pull = (float(value) for value in rng.uniform((5e3, 2e3, 0.0), (4e4, 2e4, 1.5e4)))
+        tie = Along(pull, 1e-9, 0.05, 1.0) if rng.random() < 0.5 else None
+        arch = arch_of(4.0, 0.45, float(rng.uniform(2e5, 4e6)), tie, at_rest, beyond=beyond)
+        assert arch.under(0.0) == arch
+        thrusts = []
+        for alpha in (0.05, 0.1, 0.2, 0.4, 0.8, 3.0):
+            left = arch.under(alpha)
+            shoulder = max(0.0, at_rest - 0.3 * alpha * beyond)
+            assert left.shoulder == pytest.approx(min(shoulder, arch.most)) and left.pushed == alpha
+            assert left.thrust == pytest.approx(min(max(shoulder, pull if tie else 0.0, 1.0), arch.most), rel=1e-6)
+            assert left.tied == (left.pull > left.shoulder) and left.without_tie.thrust <= left.thrust + 1e-9
+            thrusts.append(left.thrust)
+        assert thrusts == sorted(thrusts, reverse=True)
