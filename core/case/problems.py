@@ -54,12 +54,14 @@ def _filled(case: Case, error: InputError, key: str) -> Case | None:
         for k, wall in enumerate(walls):
             if k != wall_of(case, error):
                 continue
-            n = load_of(error)
+            name, n = find_table(error)
+            tables = getattr(wall, name) if name in WALL_TABLES else ()
             if error.code == "one_geometry":
                 whole = _with_sizes(wall)
-            elif n is not None and n < len(wall.load):
-                load = _given(wall.load[n], key)
-                whole = load and replace(wall, load=(*wall.load[:n], load, *wall.load[n + 1 :]))
+            elif n < len(tables):
+                table = _given(tables[n], key)
+                changed: dict[str, Any] = {name: (*tables[:n], table, *tables[n + 1 :])}
+                whole = table and replace(wall, **changed)
             else:
                 whole = _given(wall, key)
             if whole is not None:
@@ -105,15 +107,25 @@ def wall_of(case: Case, error: InputError) -> int | None:
     )
 
 
+WALL_TABLES = "load", "hold"
+"""Keys of a wall whose tables an error names by their number."""
+
+
+def find_table(error: InputError) -> tuple[str, int]:
+    """(key, index) of the table of a wall an error is about; ("", 0) of another one."""
+    for part in error.place:
+        values, code = dict(getattr(part, "values", ())), getattr(part, "code", "")
+        if code in WALL_TABLES:
+            return code, values["n"] - 1
+        if match := re.match(r"\[\[(load|hold)\]\] (\d+)", str(values.get("name", ""))):
+            return match[1], int(match[2]) - 1
+    return "", 0
+
+
 def load_of(error: InputError) -> int | None:
     """Index of the load an error is about."""
-    for part in error.place:
-        values = dict(getattr(part, "values", ()))
-        if getattr(part, "code", "") == "load":
-            return values["n"] - 1
-        if match := re.match(r"\[\[load\]\] (\d+)", str(values.get("name", ""))):
-            return int(match[1]) - 1
-    return None
+    name, n = find_table(error)
+    return n if name == "load" else None
 
 
 def _given(section: Any, key: str) -> Any:

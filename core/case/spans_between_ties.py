@@ -4,12 +4,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from core.case.above_hinge import solid_of
+from core.case.above_hinge import cut_above_hinge, solid_of
 from core.case.hold import Document, Hold
 from core.case.loads import Load
 from core.case.shape import cut_between
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, bending
+from core.errors import InputError
 from core.known import require_value
 from core.units import G
 from core.wall.body import cut_above, sum_bodies
@@ -43,10 +44,20 @@ def find_bending_spans(wall: Wall) -> tuple[tuple[float, float], ...]:
     )
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
-    turning = multiplier_at_yield(wall)
-    return tuple(
-        pair for pair in pairs if turning >= MIN_SHARE_OF_BENDING * bending(cut_span(wall, *pair).in_si).alpha0
-    )
+    return tuple(pair for pair in pairs if _bends_first(wall, *pair))
+
+
+def _bends_first(wall: Wall, low: float, high: float) -> bool:
+    """Whether a stretch of a wall bends before the wall, or its part from there up, turns: that opens a hinge inside,
+    or starts at no much smaller multiplier."""
+    starts = MIN_SHARE_OF_BENDING * bending(cut_span(wall, low, high).in_si).alpha0
+    if multiplier_at_yield(wall) >= starts:
+        return True
+    try:
+        part = cut_above_hinge(wall, low)
+    except InputError:  # nothing turns there
+        return False
+    return low > 0.0 and (hinge_inside(part.in_si) is not None or multiplier_at_yield(part) >= starts)
 
 
 def leaves_stretches_out(wall: Wall) -> bool:

@@ -156,11 +156,10 @@ _owned = [False]
 
 def own_process() -> None:
     """Set up numba for this whole process, before it is imported: by the program, whose process it is, and never by the
-    library, whose process is somebody else's. It optimises at level 2 for a processor with vectors of 512 bits and
-    their 32 registers, else at level 1: with 16 registers level 2 spills more than it saves, and a cold start is longer
-    (resources/docs/speed.md)."""
+    library, whose process is somebody else's. It optimises at level 2: at level 1 a processor with vectors of 256 bits
+    takes longer for the loops of the lanes, at 3 a cold start is longer (resources/docs/speed.md)."""
     _owned[0] = True
-    os.environ.setdefault("NUMBA_OPT", "2" if shipped.has_wide_vectors() else "1")
+    os.environ.setdefault("NUMBA_OPT", "2")
     if shipped.FORCED_LEVEL in os.environ:
         os.environ.setdefault("NUMBA_CPU_NAME", os.environ[shipped.FORCED_LEVEL])
         os.environ.setdefault("NUMBA_CPU_FEATURES", "")
