@@ -129,5 +129,5 @@ class Hold:
             parted = arch.parted_flat(spacing, thickness)
             shoulder = arch.thrust_of_shoulder(*sizes, height, unit_weight, parted)
             beyond = unit_weight * sizes[0] * sizes[1]
-        by_ends = arch.arch_of(spacing, thickness, strength, tie, shoulder, presses, beyond)
-        return by_ends._replace(across=1e3 * (self.out_kn_m or 0.0))
+        between = arch.arch_of(spacing, thickness, strength, tie, shoulder, presses, beyond)
+        return between._replace(across=1e3 * (self.out_kn_m or 0.0))

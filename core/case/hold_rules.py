@@ -83,15 +83,15 @@ def rewritten(table: Mapping[str, Any]) -> str:
         keys.append(f"h_m = {'...' if at is None else at}")
     if table.get("restraint_kn_m") is not None:
         keys.append(f"out_kn_m = {table['restraint_kn_m']}")
-    keys += [f"{key} = {_as_toml(value)}" for key, value in ends.items()]
+    keys += [f"{key} = {_toml_value(value)}" for key, value in ends.items()]
     evidence, note = table.get("restraint_evidence"), table.get("restraint_note")
     if evidence not in (None, "", "none"):
-        noted = f", note = {_as_toml(note)}" if note else ""
-        keys.append(f"evidence = {{ kind = {_as_toml(evidence)}{noted} }}")
+        noted = f", note = {_toml_value(note)}" if note else ""
+        keys.append(f"evidence = {{ kind = {_toml_value(evidence)}{noted} }}")
     elif note:
-        keys.append(f"name = {_as_toml(note)}")
+        keys.append(f"name = {_toml_value(note)}")
     return f"hold = [{{ {', '.join(keys)} }}]"
 
 
-def _as_toml(value: Any) -> str:
+def _toml_value(value: Any) -> str:
     return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"' if isinstance(value, str) else str(value)

@@ -36,8 +36,8 @@ def parted(spacing, thickness):
     return sqrt(spacing**2 + 4 * thickness**2) - spacing
 
 
-@quantity("H_s,0", "kN/m", "", 2, "0.000", label="H_s,0, overturning or sliding of the masonry beyond", name="at_rest")
-def at_rest(weight, shoulder_thickness, shoulder_length, height, parted):
+@quantity("H_s,0", "kN/m", "", 2, "0.000", label="H_s,0, overturning or sliding of the masonry beyond", name="shoulder")
+def shoulder(weight, shoulder_thickness, shoulder_length, height, parted):
     return (
         weight
         * shoulder_thickness
@@ -47,8 +47,8 @@ def at_rest(weight, shoulder_thickness, shoulder_length, height, parted):
 
 
 @quantity("H_s", "kN/m", "NTC 7.3.5", 2, "0.000", label="H_s, less the inertia of that masonry", name="by_shoulder")
-def by_shoulder(at_rest, pushed, weight, shoulder_thickness, shoulder_length):
-    return max(at_rest - 0.3 * pushed * weight * shoulder_thickness * shoulder_length, 0)
+def by_shoulder(shoulder, pushed, weight, shoulder_thickness, shoulder_length):
+    return max(shoulder - 0.3 * pushed * weight * shoulder_thickness * shoulder_length, 0)
 
 
 @quantity("H_c", "kN/m", "", 2, "0.000", label="H_c, crushing of the hinges", name="by_crushing")
@@ -136,7 +136,7 @@ def geometry(wall: WallResult) -> Section:
         lines += [Line(SHOULDER_LENGTH, sizes[0], INPUT, VALUE), Line(SHOULDER_THICKNESS, sizes[1], INPUT, VALUE)]
         lines.append(Line(parted, apart, note=FULL))
         resting = thrust_of_shoulder(*sizes, height, weight, apart)
-        lines.append(Line(at_rest, resting, note=FULL))
+        lines.append(Line(shoulder, resting, note=FULL))
         lines.append(Line(PUSHED, found.pushed, RUN, VALUE))
         left = max(0.0, resting - ALONG * found.pushed * weight * sizes[0] * sizes[1])
         lines.append(Line(by_shoulder, left, note=FULL))

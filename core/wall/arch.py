@@ -68,7 +68,7 @@ class Arch(NamedTuple):
         if not self.beyond:
             return self
         shoulder = max(0.0, self.at_rest - ALONG * alpha * self.beyond)
-        return _by_ends(self._replace(pushed=alpha), shoulder)
+        return _find_thrust(self._replace(pushed=alpha), shoulder)
 
     @property
     def held_across(self) -> float:
@@ -151,11 +151,11 @@ def arch_of(
     pull = 0.0 if tie is None else developed(tie, spacing, thickness, presses)
     lasts = math.inf if tie is None else tie.stands / tie.bays
     most, at_rest = 1.5 * strength * MAX_SETBACK * thickness, shoulder or 0.0
-    made = Arch(spacing, 0.0, 0.0, SHOULDER, 0.0, False, lasts, strength, 0.0, beyond, at_rest, pull, most, lasts)
-    return _by_ends(made, at_rest)
+    arch = Arch(spacing, 0.0, 0.0, SHOULDER, 0.0, False, lasts, strength, 0.0, beyond, at_rest, pull, most, lasts)
+    return _find_thrust(arch, at_rest)
 
 
-def _by_ends(arch: Arch, shoulder: float) -> Arch:
+def _find_thrust(arch: Arch, shoulder: float) -> Arch:
     """An arch with the thrust that its ends take. shoulder : what the masonry beyond does [N/m]"""
     beyond = min(shoulder, arch.most)
     tied = arch.pull > beyond
