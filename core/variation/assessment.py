@@ -25,7 +25,7 @@ from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.assumptions import evaluate_assumptions
 from core.variation.changes import rescale_thickness
-from core.variation.evaluate import Evaluation, check_by_histories, evaluate
+from core.variation.evaluate import Evaluation, Reaction, check_by_histories, evaluate, find_reactions
 from core.variation.tie_design import TieDesign
 from core.wall.arch import Arch
 
@@ -76,6 +76,7 @@ class Assessment:
     risk : of the check that decides, None where it has no zeta
     tie : the force that brings zeta to what is required, where one is asked for
     states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
+    reactions : of what holds a wall that bends, where its strength is known
     """
 
     kinematic: KinematicAnalysis | None
@@ -89,6 +90,7 @@ class Assessment:
     tie: TieDesign | None = None
     states: tuple[LimitStateCheck, ...] = ()
     bound_passes: bool | None = None
+    reactions: tuple[Reaction, ...] = ()
 
     @property
     def shown(self) -> tuple[tuple[Check, bool], ...]:
@@ -146,7 +148,7 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     said = make_verdict(evaluation.evidence, bound, tuple(limits), raised)
     sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in FLOOR_REMARK_CODES}
     parts = (kinematic, evaluation.checks, dynamic, below, said, sensitivity, ratio, _capacity(evaluation))
-    return Assessment(*parts, bound_passes=passes)
+    return Assessment(*parts, bound_passes=passes, reactions=find_reactions(evaluation))
 
 
 def _fails_whatever_is_assumed(evaluation: Evaluation) -> bool:

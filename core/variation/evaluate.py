@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
+from typing import NamedTuple
 
 from core.case.wall import ARCHES
 from core.codes.demand import MIN_SHARE_OF_DEMAND
@@ -181,17 +182,58 @@ def evaluate(
     return replace(evaluation, checks=_place_hold(evaluation, _check_of_holds(scene, kinematic, dynamic)))
 
 
-def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> Check | None:
-    """The check of what holds a wall that bends: of all that hold it the one that gives way first, under the largest
-    push of the clauses and of the motions. None of a wall whose holds have no strength, and none where no push is
-    known."""
-    limits = scene.hold_limits
+class Reaction(NamedTuple):
+    """What a hold of a wall takes.
+
+    hold : HoldLimit.hold; direction : of the motion that asks most of it, "outward" or "inward"
+    at_demand, at_zeta : at the demand and at zeta of the check that decides [N/m]; stands : there [N/m]
+    gives_way : share of the demand up to which it holds [-]
+    """
+
+    hold: str
+    direction: str
+    at_demand: float
+    at_zeta: float | None
+    stands: float
+    gives_way: float
+
+
+def find_reactions(evaluation: Evaluation) -> tuple[Reaction, ...]:
+    """Reactions of the holds of a wall that bends, the one that gives way first at the head; none of holds without a
+    strength."""
+    scene = evaluation.scene
+    alpha = None if evaluation.kinematic is None else _largest_push(scene, evaluation.kinematic, evaluation.dynamic)
+    if alpha is None:
+        return ()
+    zeta = evaluation.zeta
+    return tuple(
+        Reaction(
+            limit.hold,
+            limit.side,
+            scene.find_reaction(limit, alpha),
+            None if zeta is None or not math.isfinite(zeta) else scene.find_reaction(limit, zeta * alpha),
+            scene.find_strength(limit, alpha),
+            limit.share(alpha),
+        )
+        for limit in sorted(scene.hold_limits, key=lambda limit: limit.push)
+    )
+
+
+def _largest_push(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> float | None:
+    """alpha of the demand [-]: the largest push of the clauses and of the motions, never divided by q; None where none
+    is known."""
     pushes = [] if kinematic.acceleration_demand is None else [kinematic.acceleration_demand]
     if dynamic is not None:
         pushes += [scene.demand.scaling(motion) * motion.pga for motion in scene.motions]
-    if not limits or not pushes:
+    return max(pushes) / G if pushes else None
+
+
+def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> Check | None:
+    """The check of what holds a wall that bends: of all that hold it the one that gives way first, under the largest
+    push of the demand. None of a wall whose holds have no strength, and none where no push is known."""
+    limits, alpha, demand = scene.hold_limits, _largest_push(scene, kinematic, dynamic), scene.demand
+    if not limits or alpha is None:
         return None
-    alpha, demand = max(pushes) / G, scene.demand
     limit = min(limits, key=lambda limit: limit.push)
     zeta = limit.share(alpha)
     reaction, stands = 1e-3 * scene.find_reaction(limit, alpha), 1e-3 * scene.find_strength(limit, alpha)

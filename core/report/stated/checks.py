@@ -93,6 +93,17 @@ CHECK = (
 )
 
 
+REACTION = (
+    text("hold", "top, base or ends: what holds the wall"),
+    text("direction", "outward or inward: the motion that asks most of it"),
+    number("at_demand_kn_m", "kN/m", "what it takes at the demand", scaled_reader(1e3, "at_demand")),
+    number("at_zeta_kn_m", "kN/m", "what it takes at zeta of the check that decides", scaled_reader(1e3, "at_zeta")),
+    number("stands_kn_m", "kN/m", "what it stands at the demand", scaled_reader(1e3, "stands")),
+    number("gives_way", "-", "share of the demand up to which it holds"),
+)
+"""Quantities read from Reaction."""
+
+
 def _bending(kinematic: Any) -> Any:
     """(mechanism of the start, mechanism of the displacement check) of a wall held at its top."""
     start, moved = kinematic.chain.bending, kinematic.moved.bending
@@ -219,6 +230,7 @@ KINEMATIC = (
     number("zeta_sld", "-", "a_g,SLD over a_g, C8.7.1.8 and .9", "kinematic.zeta_sld", line="zeta_sld"),
     texts("missing", "keys without which a free element has no linear check", "kinematic.missing"),
     list_quantity("checks", "the rows of the table of methods", CHECK),
+    list_quantity("reactions", "what holds the wall, where its strength is known, the weakest first", REACTION),
 )
 """Quantities read from Assessment with closed forms."""
 

@@ -135,6 +135,12 @@ def test_that_the_ends_of_an_arch_slip_where_friction_no_longer_holds_them():
         0.7906, abs=1e-3
     )
     assert wall.assessment.verdict.code in ("not_verified", "q2_unsafe")
+    (reaction,) = wall.assessment.reactions
+    assert (reaction.hold, reaction.direction, reaction.gives_way) == (ENDS, "outward", check.zeta)
+    assert reaction.at_demand == pytest.approx(2750.361, abs=1e-2) and reaction.stands == pytest.approx(
+        2063.93, abs=0.1
+    )
+    assert reaction.at_zeta == pytest.approx(0.5 * 45.0 * 0.45 * 0.214765 * 1e3, rel=1e-3)  # W/2 alpha
 
 
 def test_that_what_holds_the_ends_across_is_added_to_their_friction():
@@ -159,6 +165,9 @@ def test_that_a_wall_is_verified_to_where_its_hold_gives_way_and_no_further():
         hold = next(check for check in wall.assessment.checks if check.name == "hold")
         assert hold.passed == (hold.demand <= hold.capacity) or math.isclose(hold.demand, hold.capacity, rel_tol=0.02)
         assert wall.assessment.verdict.zeta_e <= hold.zeta
+        weakest, *others = wall.assessment.reactions
+        assert (1e-3 * weakest.at_demand, weakest.gives_way) == (hold.demand, hold.zeta)
+        assert all(other.gives_way >= weakest.gives_way for other in others)
     assert zetas == sorted(zetas, reverse=True) and zetas[-1] < zetas[0]
     bare = parse_case(table | {"wall": [HELD | {"thickness_m": 0.4, "hold": at_top(3.0)}]}).wall[0]
     assert bare.in_si.declared.strength is None
