@@ -3,7 +3,7 @@
 
 def behind(evidence="drawing", kind="contact", **keys):
     """Contact along the wall, or another hold; evidence : kind of the document that shows it, "" of none."""
-    shown = {"evidence": {"kind": evidence}} if evidence else {}
+    shown = {"evidence": {"kind": evidence, "reference": "sheet 7"}} if evidence else {}
     return [{"kind": kind, **keys, **shown}]
 
 
@@ -12,6 +12,6 @@ def between(spacing=None, evidence="opening", **ends):
     return behind(evidence, "cross_walls", **({} if spacing is None else {"spacing_m": spacing}), **ends)
 
 
-def at_top(height, strength=None, evidence="drawing", kind="ring_beam"):
+def at_top(height, strength=None, evidence="calculation", kind="ring_beam"):
     """What holds the top of a wall that bends [m], and how much it stands [kN/m]."""
     return behind(evidence, kind, h_m=height, **({} if strength is None else {"out_kn_m": strength}))

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from core.case.hold import AT_A_HEIGHT, BETWEEN, Hold
+from core.case.hold import AT_A_HEIGHT, BETWEEN, STRENGTH, Hold
 from core.case.wall import BENDS, Wall
 from core.errors import InputError, place
 from core.text.sentence import Key
@@ -38,6 +38,8 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
         raise InputError("hold_needs_spacing", place=here, key=of_ends[0], needed=Key("spacing_m"))
     if hold.to_m is not None and hold.to_m <= (hold.from_m or 0.0):
         raise InputError("hold_reversed", place=here, key="to_m", found=hold.to_m, least=hold.from_m or 0.0)
+    if hold.shows_strength and hold.evidence is not None and not hold.evidence.reference.strip():
+        raise InputError("document_reference", place=here, key="reference", kind=hold.evidence.kind)
     _check_height(wall, hold, here)
 
 
@@ -74,8 +76,8 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
 def rewritten(table: Mapping[str, Any]) -> str:
     """What the older keys of a wall say, as the line of a case file that says it now."""
     ends = dict(table["arch"]) if isinstance(table.get("arch"), Mapping) else {}
-    said = str(table.get("back_restraint") or "")
-    kind = OLD_KINDS.get(said, said if said in (*AT_A_HEIGHT, *BETWEEN) else "contact")
+    restraint = str(table.get("back_restraint") or "")
+    kind = OLD_KINDS.get(restraint, restraint if restraint in (*AT_A_HEIGHT, *BETWEEN) else "contact")
     kind = kind if not ends or kind in BETWEEN else "cross_walls"
     keys = [f'kind = "{kind}"']
     if kind in AT_A_HEIGHT:
@@ -86,8 +88,10 @@ def rewritten(table: Mapping[str, Any]) -> str:
     keys += [f"{key} = {_toml_value(value)}" for key, value in ends.items()]
     evidence, note = table.get("restraint_evidence"), table.get("restraint_note")
     if evidence not in (None, "", "none"):
-        noted = f", note = {_toml_value(note)}" if note else ""
-        keys.append(f"evidence = {{ kind = {_toml_value(evidence)}{noted} }}")
+        words = f", note = {_toml_value(note)}" if note else ""
+        if evidence in STRENGTH:
+            words = f", reference = {_toml_value(note or '...')}"
+        keys.append(f"evidence = {{ kind = {_toml_value(evidence)}{words} }}")
     elif note:
         keys.append(f"name = {_toml_value(note)}")
     return f"hold = [{{ {', '.join(keys)} }}]"

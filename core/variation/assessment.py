@@ -188,7 +188,9 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     where it does not stand or no check follows it: what is not known turns what passes, but of a wall that stays at
     rest to either side"""
     wall, hold = evaluation.scene.wall, evaluation.scene.wall.held_by
-    shown = hold.evidence if hold else None
+    # what holds a top has to be shown to stand, of what is behind a wall it is enough that it is there
+    enough = hold is not None and (not wall.bends or hold.shows_strength or hold.kind == "tie")
+    shown = hold.evidence if hold and enough else None
     code = "top_fails" if wall.bends else "restraint_fails"
     if wall.mechanism == ARCHES:
         code = "ends_fail"

@@ -145,8 +145,12 @@ def arch_of(
     """The arch by what its ends take: the larger of what the tie alone and the shoulder alone do, no more than what the
     hinges are crushed by.
 
-    spacing, thickness : L and t [m]; strength : f of the masonry [Pa]; presses : of `developed`
-    tie : along the wall; shoulder : `thrust_of_shoulder`; beyond : its weight [N/m]
+    spacing, thickness : L and t [m]
+    strength : f of the masonry [Pa]
+    tie : along the wall
+    shoulder : `thrust_of_shoulder` [N/m]
+    presses : of `developed` [N/m]
+    beyond : weight of the shoulder [N/m]
     """
     pull = 0.0 if tie is None else developed(tie, spacing, thickness, presses)
     lasts = math.inf if tie is None else tie.stands / tie.bays

@@ -51,6 +51,7 @@ def test_that_a_hold_of_every_kind_is_read_and_written_again(kind):
         ({"kind": "anchor", "h_m": 3.0, "out_kn_m": 5.0}, "hold_of_bending", "out_kn_m"),
         ({"kind": "wire"}, "not_accepted", "kind"),
         ({"kind": "floor", "h_m": 3.0, "evidence": {"kind": "hearsay"}}, "not_accepted", "kind"),
+        ({"kind": "floor", "h_m": 3.0, "evidence": {"kind": "test"}}, "document_reference", "reference"),
     ],
 )
 def test_that_a_hold_that_cannot_be_is_refused_by_its_number_and_its_key(hold, code, key):

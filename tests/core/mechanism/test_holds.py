@@ -110,7 +110,7 @@ compressive_strength_mpa = 2.0
 masonry = "solid_brick"
 [[wall.hold]]
 kind = "cross_walls"
-evidence = { kind = "test" }
+evidence = { kind = "test", reference = "PT-04" }
 spacing_m = 2.5
 shoulder_length_m = 2.0
 shoulder_thickness_m = 0.45

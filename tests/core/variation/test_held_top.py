@@ -222,13 +222,13 @@ def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdi
 def test_that_what_holds_the_top_is_a_strength_and_no_word():
     """Without a number a wall that passes is indicative; a hold is compared with what it takes at the demand."""
     small = {"demand": {"ag_g": 0.1, "spectrum": EN_B}}
-    shown = WALL | {"hold": at_top(3.0, 60.0, "opening"), "unloaded_confirmed": False}
+    shown = WALL | {"hold": at_top(3.0, 60.0, "test"), "unloaded_confirmed": False}
     reasons = {"load": "as the survey of 2024 shows", "mass": "held by the kerb, sheet 4", "d_m": "seen in the opening"}
     reasons |= {"unit_weight_kn_m3": "weighed cores, report 2"}
     shown |= {"justification": reasons, "compressive_strength_mpa": None}
     shown = {key: value for key, value in shown.items() if value is not None}
     with_strength = study(shown, **small).walls[0].assessment.verdict
-    word = shown | {"hold": at_top(3.0, None, "opening")}
+    word = shown | {"hold": at_top(3.0, None, "test")}
     without = study(word, **small).walls[0].assessment.verdict
     assert "no_hold_strength" not in [limit.code for limit in with_strength.limits]
     assert without.code == "indicative" and without.limits[0].code == "no_hold_strength"
@@ -238,10 +238,10 @@ def test_that_what_holds_the_top_is_a_strength_and_no_word():
     asked = checks["hold"].demand
     start = 1e-3 * bending(parse_case({"wall": [WALL]}).wall[0].in_si).top_force
     assert 0.0 < asked < 0.5 * start  # of a wall at rest, far less than as it starts to bend
-    enough = study(shown | {"hold": at_top(3.0, 1.02 * asked, "opening")}, **small).walls[0].assessment
+    enough = study(shown | {"hold": at_top(3.0, 1.02 * asked, "test")}, **small).walls[0].assessment
     assert enough.verdict.code == with_strength.code and enough.verdict.governing == "hold"
     assert enough.verdict.zeta_e == pytest.approx(1.02, abs=2e-3)
-    weak = study(shown | {"hold": at_top(3.0, 0.98 * asked, "opening")}, **small).walls[0].assessment.verdict
+    weak = study(shown | {"hold": at_top(3.0, 0.98 * asked, "test")}, **small).walls[0].assessment.verdict
     assert weak.code in ("not_verified", "q2_unsafe") and weak.zeta_e < 1.0 and weak.governing == "hold"
     assert "hold_top" in [limit.code for limit in weak.limits]
     with pytest.raises(InputError, match="held at its top"):

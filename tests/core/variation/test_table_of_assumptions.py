@@ -668,10 +668,10 @@ def test_that_a_general_body_is_moved_once_and_its_row_says_what_it_is():
 
 def test_that_what_shows_the_restraint_stands_in_the_language_of_the_table():
     found = found_of(HELD, NTC_AG, building=BUILDING)
-    for language, words in (("it", "da un disegno"), ("en", "by a drawing")):
+    for language, words in (("it", "da un calcolo"), ("en", "by a calculation")):
         cells = [row for row, _ in assumption_table.rows_of(found, found.walls[0], language)]
         assert [row[-1] for row in cells if words in row] == [words]
-    assert rows_of(found)["hold"]["reason"] == "by a drawing"
+    assert rows_of(found)["hold"]["reason"] == "by a calculation"
 
 
 def test_that_records_which_are_doubted_are_a_limit_of_the_verdict(fine, tmp_path):
