@@ -5,18 +5,18 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtWidgets import QHBoxLayout, QListWidget, QToolButton, QVBoxLayout
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QMenu, QToolButton, QVBoxLayout
 
 from app.input.fields import Field, clear_fields, connect
 from app.input.made_fields import make_fields
 from app.input.wall_editor import WallEditor
 from app.look.labels import PlainLabel
-from app.look.language import tr
+from app.look.language import current_language, tr
 from app.work.session import Session
 from core.case.values import field_of
 from core.case.wall import Wall
 from core.errors import InputError
-from core.text.sentence import Sentence
+from core.text.sentence import Sentence, choice
 
 
 def entry_named(problem: InputError, key: str) -> int | None:
@@ -83,6 +83,18 @@ class EntriesForm(WallEditor):
             column.addWidget(widget)
         for field in self.fields:
             field.inside = lambda problem, field=field: self._names(problem, field)
+
+    def add_menu(self, label: str, kinds: Sequence[str], add: Callable[[str], None]) -> QToolButton:
+        """A button before the others with a menu of the kinds of a table. add(kind) : one of this kind"""
+        button = QToolButton()
+        button.setText(label)
+        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(button)
+        for kind in kinds:
+            menu.addAction(choice(kind, current_language()), lambda kind=kind: add(kind))
+        button.setMenu(menu)
+        self.buttons.insertWidget(0, button)
+        return button
 
     def set_title(self, title: str) -> None:
         """What it edits, before its buttons and for a reader of the screen."""

@@ -3,8 +3,6 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtWidgets import QMenu, QToolButton
-
 from app.input.entries_form import EntriesForm
 from app.input.optional_group import OptionalGroup
 from app.look.language import current_language, number, tr
@@ -52,14 +50,7 @@ class HoldsForm(EntriesForm):
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__(session, index, "hold", {}, hold_words, _hold_has)
         self.list.setAccessibleName(tr("Holds"))
-        self.add_button = QToolButton()
-        self.add_button.setText(tr("Add a hold"))
-        self.add_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self.add_button)
-        for kind in HOLDS:
-            menu.addAction(choice(kind, current_language()), lambda kind=kind: self.add(kind))
-        self.add_button.setMenu(menu)
-        self.buttons.insertWidget(0, self.add_button)
+        self.add_button = self.add_menu(tr("Add a hold"), HOLDS, self.add)
         self.delete_button.setText(tr("Delete this hold"))
         empty = Document(TO_BE_GIVEN)
         self.shown_by = OptionalGroup(tr("Evidence"), "evidence", empty, lambda: self.entry, self._edit_evidence)

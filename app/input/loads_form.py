@@ -3,18 +3,15 @@
 from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtWidgets import QMenu, QToolButton
-
 from app.input.entries_form import EntriesForm
 from app.input.optional_group import OptionalGroup
 from app.input.wall_text import load_kind_text
-from app.look.language import current_language, number, tr
+from app.look.language import number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.load_rules import COMBINED, OF_A_TIE
 from core.case.loads import Bars, Load
 from core.case.values import field_of
-from core.text.sentence import choice
 
 
 def load_words(load: Load) -> str:
@@ -41,14 +38,7 @@ class LoadsForm(EntriesForm):
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__(session, index, "load", {}, load_words, _load_has)
         self.list.setAccessibleName(tr("Loads"))
-        self.add_button = QToolButton()
-        self.add_button.setText(tr("Add a load"))
-        self.add_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        menu = QMenu(self.add_button)
-        for kind in field_of(Load, "kind").metadata["names"]:
-            menu.addAction(choice(kind, current_language()), lambda kind=kind: self.add(kind))
-        self.add_button.setMenu(menu)
-        self.buttons.insertWidget(0, self.add_button)
+        self.add_button = self.add_menu(tr("Add a load"), field_of(Load, "kind").metadata["names"], self.add)
         self.delete_button.setText(tr("Delete this load"))
         empty = Bars(TO_BE_GIVEN, TO_BE_GIVEN)
         self.bars = OptionalGroup(tr("Bars in place of the force"), "bar", empty, lambda: self.entry, self._edit_bars)

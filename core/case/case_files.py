@@ -12,10 +12,10 @@ from core.regular_file import read_regular
 from core.text.sentence import Sentence, notice
 
 MAX_FILE_BYTES = 500_000_000
-"""Of a file whose hash is made; each reader has its own, smaller bound."""
+"""Largest file of which a hash is made; each reader has its own, smaller bound."""
 
 MAX_ROW_LETTERS = 30_000
-"""Of a row as JSON: a cell of a workbook holds 32 767."""
+"""Longest row as JSON that is kept: a cell of a workbook holds 32 767 letters."""
 
 
 class CaseFile(NamedTuple):

@@ -7,6 +7,7 @@ from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge, part_name
 from core.case.detached import leaf_label, make_leaf_wall
 from core.case.directions import directions_of
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
+from core.case.hold import OF_BUILDING
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.spanning import make_spanning_part, named_spanning, spans
@@ -190,7 +191,8 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
     turning = []
     for hinge in (0.0, *hinges):
         above = add_corner_thrust(cut_above_hinge(whole, hinge))
-        free = held_to is not None and hinge >= held_to - SAME_HINGE
+        unheld = bool(whole.hold) and not above.hold and not any(load.is_tie for load in above.load)
+        free = unheld or (held_to is not None and hinge >= held_to - SAME_HINGE)
         turning.append(replace(part, hinge=hinge, wall=make_free(above) if free else above))
     spans = _spans_of_leaf(whole) if part.aspect else find_bending_spans(whole)
     return turning + [replace(part, hinge=low, wall=cut_span(whole, low, high), top=high) for low, high in spans]
@@ -217,7 +219,7 @@ def highest_hold(wall: Wall, building: Building | None) -> float | None:
 def _tops_of_holds(wall: Wall, building: Building | None) -> list[float | None]:
     """Heights above the base of a wall up to which each of its holds holds it [m]; None of one whose end nobody
     says."""
-    least = [require_value(hold.h_m) for hold in wall.hold if hold.kind in ("floor", "roof")]
+    least = [require_value(hold.h_m) for hold in wall.hold if hold.kind in OF_BUILDING]
     least = [max(least)] if least else []
     least += [wall.shoulder] if wall.gable_m else []
     least += [building.height_m - (wall.base_z_m or 0.0)] if building else []

@@ -11,6 +11,9 @@ from core.wall.ties import elongation_at_yield
 AT_A_HEIGHT = "floor", "roof", "ring_beam", "anchor", "tie"
 """Holds that have a height."""
 
+OF_BUILDING = "floor", "roof"
+"""Holds that a building has no higher than it is."""
+
 BETWEEN = "cross_walls", "buttress"
 """Holds that hold a wall only where they stand along it."""
 
@@ -95,8 +98,8 @@ class Hold:
 
     @property
     def alone(self) -> "Hold":
-        """The same as something behind the wall, which does not span to it."""
-        return Hold(self.kind, self.name, from_m=self.from_m, to_m=self.to_m, evidence=self.evidence)
+        """Hold the wall by contact alone: it neither spans to it nor is held outward."""
+        return Hold(self.kind, self.name, self.h_m, self.from_m, self.to_m, evidence=self.evidence)
 
     def above(self, height: float) -> "Hold | None":
         """The hold as the part of a wall above a height of it has it [m]; None of what is lower."""

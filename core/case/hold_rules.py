@@ -3,7 +3,8 @@
 from collections.abc import Mapping
 from typing import Any
 
-from core.case.hold import AT_A_HEIGHT, BETWEEN, STRENGTH, Hold
+from core.case.hold import AT_A_HEIGHT, BETWEEN, OF_BUILDING, STRENGTH, Hold
+from core.case.site import Building
 from core.case.wall import BENDS, Wall
 from core.errors import InputError, place
 from core.text.sentence import Key
@@ -55,6 +56,17 @@ def _check_height(wall: Wall, hold: Hold, here) -> None:
         raise InputError("hold_below_top", place=here, key="h_m", found=hold.h_m, height=height)
     if hold.kind in AT_A_HEIGHT and hold.out_kn_m is not None and wall.mechanism != BENDS:
         raise InputError("hold_of_bending", place=here, key="out_kn_m")
+
+
+def check_holds_of_building(wall: Wall, building: Building | None) -> None:
+    """Raise InputError for a floor or a roof above the building that is to hold the wall."""
+    if building is None or wall.base_z_m is None:
+        return
+    most = building.height_m - wall.base_z_m
+    for n, hold in enumerate(wall.hold, start=1):
+        if hold.kind in OF_BUILDING and hold.h_m is not None and hold.h_m > most * (1.0 + TOP_TOLERANCE):
+            here = (place("wall", name=wall.title), place("hold", n=n))
+            raise InputError("hold_above_building", place=here, key="h_m", found=hold.h_m, most=most)
 
 
 OLD_KEYS = ("back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m", "arch")

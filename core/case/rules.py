@@ -11,7 +11,7 @@ from core.case.floor_loads import WallSetChecker, add_floor_loads, check_floors,
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_bends, check_held_top
 from core.case.hinges import WallPart, check_hinges, make_wall_parts, turning_hinges
-from core.case.hold_rules import check_holds
+from core.case.hold_rules import check_holds, check_holds_of_building
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
 from core.case.meaningful import is_meaningful
@@ -307,6 +307,7 @@ def _check_beside(case: Case, wall: Wall) -> None:
             base=wall.base_z_m,
             height=case.building.height_m,
         )
+    check_holds_of_building(wall, case.building)
     check_hinges(wall, case.building)
     check_floors_on(wall, case.building)
     if (whole := add_floor_loads(wall, case.building)) is not wall:

@@ -51,13 +51,13 @@ def _bends_first(wall: Wall, low: float, high: float) -> bool:
     """Whether a stretch of a wall bends before the wall, or its part from there up, turns: that opens a hinge inside,
     or starts at no much smaller multiplier."""
     starts = MIN_SHARE_OF_BENDING * bending(cut_span(wall, low, high).in_si).alpha0
-    if multiplier_at_yield(wall) >= starts:
-        return True
+    if low == 0.0 or multiplier_at_yield(wall) >= starts:
+        return multiplier_at_yield(wall) >= starts
     try:
         part = cut_above_hinge(wall, low)
     except InputError:  # nothing turns there
         return False
-    return low > 0.0 and (hinge_inside(part.in_si) is not None or multiplier_at_yield(part) >= starts)
+    return hinge_inside(part.in_si) is not None or multiplier_at_yield(part) >= starts
 
 
 def leaves_stretches_out(wall: Wall) -> bool:

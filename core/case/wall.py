@@ -196,12 +196,14 @@ class Wall(Shaped):
 
     @property
     def held_by(self) -> Hold | None:
-        """What stands behind it, holds its top or its ends: contact along the wall before what is only in places."""
+        """What stands behind it, holds its top or its ends: contact along the wall before what is only in places, and
+        of several the first that nothing shows."""
         if self.mechanism == ARCHES:
             return self.arch
         if self.mechanism == BENDS:
             return next((hold for hold in self.hold if self._holds_top(hold)), None)
-        return next((hold for hold in self.hold if not hold.only_there), next(iter(self.hold), None))
+        along = [hold for hold in self.hold if not hold.only_there] or self.hold
+        return next((hold for hold in along if hold.evidence is None), next(iter(along), None))
 
     def _holds_top(self, hold: Hold) -> bool:
         height, top = require_value(self.height_m), hold.h_m if hold.kind in AT_A_HEIGHT else None

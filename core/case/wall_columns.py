@@ -59,9 +59,8 @@ def _columns_of(entry: Field, n: int, before: list[str]) -> dict[str, Column]:
         for language, title in enumerate(before):
             titles |= {f"{title} {end}" for end in _titles(inner.name, language)}
         by_name[name] = Column(inner, frozenset(titles), WORDS_OF_CHOICE.get(f"{entry.name}.{inner.name}", {}))
-    if (
-        document := next((inner for inner in fields(entry.metadata["of"]) if inner.name == "evidence"), None)
-    ) is not None:
+    document = entry.metadata["of"].__dataclass_fields__.get("evidence")
+    if document is not None:
         both = zip(before, CATALOGUE["key"]["evidence.column"], strict=True)
         by_name.update(_columns_of(document, n, [f"{title} {word}" for title, word in both]))
     return by_name
@@ -133,6 +132,9 @@ OLD_COLUMNS = {
     **dict.fromkeys(("restraint_kn_m", "hold", "tenuta"), "hold1_out_kn_m"),
 }
 """Titles of older tables -> the column that says the same now."""
+
+OLD_ARCH = re.compile(r"arc[ho][ _]")
+"""How the titles of [wall.arch] began in either language."""
 
 UNIT_WORDS = ("u.m.", "u.m", "unità", "unita", "unit", "units")
 """What stands above or before a row of units."""
@@ -246,8 +248,8 @@ def _heads(cells: list[str]) -> list[str]:
         name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
         if name.replace(" ", "_") in ("variant_of", "variante_di"):
             raise InputError("variant_of_in_table", column=cell[:60])
-        if name in OLD_COLUMNS:
-            raise InputError("old_column", column=cell[:60], written=OLD_COLUMNS[name])
+        if name in OLD_COLUMNS or OLD_ARCH.match(name):
+            raise InputError("old_column", column=cell[:60], written=OLD_COLUMNS.get(name, "hold1_spacing_m"))
         if name not in known:
             first = (name for name in columns() if not _LATER.match(name))
             raise InputError("unknown_column", column=cell[:60], known=", ".join(first))

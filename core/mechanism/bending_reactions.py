@@ -59,7 +59,7 @@ class MovingStrip:
 
     @cached_property
     def points(self) -> tuple[Points, Points]:
-        """Of the lower and of the upper block; a weight that is held elsewhere has no mass."""
+        """Collect what the lower and the upper block weigh; a weight that is held elsewhere has no mass."""
         both = zip(blocks_of(self.strip, self.h1), masses_of(self.strip, self.h1), strict=True)
         rows = [
             [(w.x, w.z, w.lifted, 0.0, 0.0) for w in weights] + [(m.x, m.z, 0.0, m.mass, m.own) for m in masses]

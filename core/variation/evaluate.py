@@ -116,7 +116,9 @@ class Evaluation:
             stretches_left_out=scene.stretches_left_out,
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
-        wall = scene.kinematic.wall if scene.kinematic and scene.wall.arch else scene.wall.in_si
+        wall = scene.wall.in_si
+        if wall.arch is not None and scene.kinematic is not None:  # as the demand pushes what its ends push against
+            wall = scene.kinematic.wall
         return Evidence(wall, scene.mechanism, demand, *parts)
 
     def _unbranched(self) -> str:
@@ -186,7 +188,7 @@ class Reaction(NamedTuple):
     """What a hold of a wall takes.
 
     hold : HoldLimit.hold; direction : of the motion that asks most of it, "outward" or "inward"
-    at_demand, at_zeta : at the demand and at zeta of the check that decides [N/m]; stands : there [N/m]
+    at_demand, at_zeta : at the demand and at zeta of the check that decides [N/m]; stands : at the demand [N/m]
     gives_way : share of the demand up to which it holds [-]
     """
 

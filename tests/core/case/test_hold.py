@@ -1,5 +1,8 @@
 """What holds a wall: its rules, its place, how the older keys are written now, and its columns in a table of walls."""
 
+import math
+import random
+
 import pytest
 
 from core.case.hinges import highest_hold, make_wall_parts
@@ -50,13 +53,16 @@ def test_that_a_hold_of_every_kind_is_read_and_written_again(kind):
         ({"kind": "contact", "to_m": 6.0}, "hold_outside", "to_m"),
         ({"kind": "anchor", "h_m": 3.0, "out_kn_m": 5.0}, "hold_of_bending", "out_kn_m"),
         ({"kind": "wire"}, "not_accepted", "kind"),
+        ({"kind": "roof", "h_m": 4.5, "base": 5.0}, "hold_above_building", "h_m"),
         ({"kind": "floor", "h_m": 3.0, "evidence": {"kind": "hearsay"}}, "not_accepted", "kind"),
         ({"kind": "floor", "h_m": 3.0, "evidence": {"kind": "test"}}, "document_reference", "reference"),
     ],
 )
 def test_that_a_hold_that_cannot_be_is_refused_by_its_number_and_its_key(hold, code, key):
+    base = {key: hold[key] for key in ("base",) if key in hold}
+    hold = {key: value for key, value in hold.items() if key not in base}
     with pytest.raises(InputError) as refused:
-        case_of(hold=[*behind(), hold])
+        case_of(hold=[*behind(), hold], base_z_m=base.get("base", 0.0))
     assert refused.value.code == code and refused.value.key == key
     assert "2" in refused.value.text("en") and "w" in refused.value.text("it")
 
@@ -160,10 +166,38 @@ def test_that_the_columns_of_a_table_say_it_in_both_languages_and_older_ones_are
     first, second = parse_wall_rows(rows)[0].hold
     assert (first.kind, first.evidence.kind, first.evidence.reference) == ("cross_walls", "survey", "tav. 4")
     assert (second.kind, second.h_m, second.evidence) == ("floor", 3.0, None)
-    for title in ("Vincolo", "back_restraint", "restraint", "tenuta"):
+    for title in ("Vincolo", "back_restraint", "restraint", "tenuta", "arco L [m]", "arch_tie_kn_m"):
         with pytest.raises(InputError) as refused:
             parse_wall_rows(text_rows(f"Parete;H [m];t [m];Meccanismo;{title}\na;5;0,5;un lato;x"))
         assert refused.value.code == "old_column" and "hold1_" in refused.value.text("it")
+
+
+def test_that_of_several_holds_the_one_that_nothing_shows_is_asked_for():
+    """A floor that nobody shows would lift the part above the others out of sight."""
+    for hold in (behind() + behind("", "floor", h_m=5.0), behind("", "floor", h_m=5.0) + behind()):
+        assert case_of(hold=hold).wall[0].in_si.declared.evidence is None
+    assert case_of(hold=behind() + behind("", "cross_walls")).wall[0].in_si.declared.evidence == "drawing"
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_that_any_holds_go_with_hinges_a_leaf_and_the_wall_unheld(seed):
+    """Every part of a wall with any holds is a wall, with the holds that are above its foot; without any it is free."""
+    draw = random.Random(seed)
+    height = draw.uniform(5.0, 9.0)
+    holds = []
+    for kind in draw.choices(HOLDS, k=draw.randint(1, 4)):
+        low, high = sorted(round(draw.uniform(0.3, height - 0.1), 2) for _ in "ab")
+        ends = draw.choice(({}, {"to_m": high}, {"from_m": low, "to_m": high + 0.05}))
+        holds += behind(draw.choice(("drawing", "")), kind, **({"h_m": high} if kind in AT_A_HEIGHT else ends))
+    leaf = {"thickness_m": 0.2, "connector_kn_m": 1.5, "row_spacing_m": 1.0, "slip_mm": 2.0}
+    height = max(height, 3.0 * math.ceil(height / 3.0 - 1.0) + 0.5)  # no stub above a floor that is too stocky to rock
+    case = case_of(height_m=height, hold=holds, leaf=draw.choice((leaf, {"thickness_m": 0.2})), hinge_heights="floors")
+    for part in make_wall_parts(0, case.wall[0], case.building):
+        tops = [hold.h_m or hold.to_m for hold in part.wall.hold]
+        assert all(top is None or 0.0 < top <= height - part.hinge + 1e-6 for top in tops)
+        assert part.wall.in_si.declared.restraint in (None, *HOLDS, "tie")
+        tied = any(load.is_tie for load in part.wall.load)
+        assert part.wall.hold or tied or part.wall.mechanism == "two_sided"
 
 
 def test_that_the_kinds_are_told_apart():
