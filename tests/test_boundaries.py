@@ -57,6 +57,8 @@ BODIES = "tests/validation/test_bodies.py"
 SOLVED = "tests/core/lab/solved/test_cases.py"
 
 SHOWN_BY = {
+    **dict.fromkeys(("study/register", "report/register_words"), "tests/core/case/test_register.py"),
+    "setting/held_shares": "tests/core/case/test_held_stretches.py",
     "codes/annex": "tests/core/codes/test_spectrum_codes.py",
     "api": "tests/test_notebooks.py",
     "report/note/plan_figure": "tests/core/report/test_key_plan.py",

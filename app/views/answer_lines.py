@@ -21,6 +21,7 @@ PLACE_OF_CODE = {
     "to_no_check": "demand",
     "to_no_restraint": "holds",
     "to_no_top_restraint": "holds",
+    "to_end": "holds",
     "to_no_spectrum": "demand",
     "to_no_soil_factor": "key:soil_factor",
     "to_not_compatible": "records",

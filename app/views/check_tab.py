@@ -41,12 +41,13 @@ from core.case.schema import Generate
 from core.codes.eq9 import LABEL
 from core.codes.outcomes import min_if_all_known
 from core.known import require_value
+from core.report.register_words import describe_lines
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
 from core.report.verdict_words import lines_of, sentence_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge
-from core.text.sentence import word
+from core.text.sentence import localized, word
 from core.units import G
 
 MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR = 1.2, 1.15
@@ -223,6 +224,8 @@ class CheckTab(ResultTab):
         self.others.setVisible(len(lines) > shown and self.all_limits.isChecked())
         others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
         others += self._warnings(result, wall, True)
+        if decided := verdict_of(result, wall):
+            others += describe_lines(result, decided, self._report_words, self.language)
         if assessment.kinematic:
             others.insert(0, self._mechanism(assessment))
         self._fold(others)
@@ -237,6 +240,9 @@ class CheckTab(ResultTab):
             self._bars(assessment.dynamic)
         else:
             self._show_peaks(*no_dynamic_check(result, wall))
+
+    def _report_words(self, english: str, **values) -> str:
+        return localized("report", english, self.language, **values)
 
     def _show_peaks(self, why: str = "", lead: str = "") -> None:
         """The chart of the peaks, or why there is none and what leads to it. lead : as of `ask`, or nothing"""

@@ -29,6 +29,14 @@ def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
         yield aspect, turned
 
 
+def falls_sooner_along(wall: Wall) -> bool:
+    """Whether a wall that nothing holds is shorter than thick, so that it falls along its length first, and that is
+    not looked at."""
+    if wall.all_directions or wall.hold or wall.leans or wall.bends or None in (wall.thickness, wall.length_m):
+        return False
+    return require_value(wall.length_m) < require_value(wall.thickness)
+
+
 def _all_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
     """Both other directions of a body."""
     thickness, length = require_value(wall.thickness), require_value(wall.length_m)

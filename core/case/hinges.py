@@ -1,19 +1,29 @@
 """The hinges of a wall of several storeys: one wall for each, from the hinge up."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge, part_name
 from core.case.detached import leaf_label, make_leaf_wall
 from core.case.directions import directions_of
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
+from core.case.held_stretches import HeldStretch, find_held_stretches, highest_anchor
+from core.case.held_top import mirror_inward
 from core.case.hold import OF_BUILDING
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.spanning import make_spanning_part, named_spanning, spans
-from core.case.spans_between_ties import cut_span, find_bending_spans, multiplier_at_yield, named_between
+from core.case.spans_between_ties import (
+    cut_span,
+    find_bending_spans,
+    find_inward_spans,
+    multiplier_at_yield,
+    named_between,
+    opens_inside,
+)
 from core.case.wall import ARCHES, Wall
-from core.codes.vertical_bending import bending
+from core.codes.vertical_bending import MIN_SLENDERNESS, bending
 from core.errors import InputError, place
 from core.known import require_value
 from core.wall.solids import SNAP, changes, contact_at
@@ -43,6 +53,7 @@ class WallPart:
         spans between transverse walls its own; else None
     aspect : of what is not the wall itself but its outer leaf, or the wall in another direction, what tells it
     of : what it is the part of: the wall with the floors that bear on it, or that leaf or direction
+    inward : it bends inward there, between what stands behind it; held : between holds that are shown to hold it
     """
 
     origin: int
@@ -52,6 +63,8 @@ class WallPart:
     top: float | None = None
     aspect: str = ""
     of: Wall | None = None
+    inward: bool = False
+    held: bool = False
 
     @property
     def body(self) -> Wall:
@@ -73,6 +86,8 @@ class WallPart:
         """Name of the wall as people read it, without the variant."""
         if self.wall.arch is not None and self.top is not None and self.wall.mechanism == ARCHES:
             return named_spanning(self.body.name, require_value(self.wall.arch.spacing_m))
+        if self.held:
+            return f"{self.body.name} [{self.hinge:.4g}–{self.top:.4g} m]"
         if self.top is not None:
             return named_between(self.body.name, self.hinge, self.top)
         return part_name(self.body.name, self.hinge)
@@ -93,12 +108,9 @@ def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
     return storey_ends(wall, building)
 
 
-def find_unchecked_hinges(part: WallPart, building: Building | None) -> tuple[float, ...]:
+def find_unchecked_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     """Hinges that a wall about its base has too and that nobody looks at [m]: their motion is not known without its
-    building, or the engineer leaves them out, and says not why."""
-    wall = part.body
-    if part.hinge > 0.0 or not part.turns or (wall.justification and wall.justification.hinge_heights):
-        return ()
+    building, or the engineer leaves them out."""
     asked = wall.hinge_heights
     if (building is None or building.modes) and (free := highest_hold(wall, building)) is not None:
         return (free,)  # what moves it there is not known, the participation of modes at one height alone
@@ -194,16 +206,55 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
         unheld = bool(whole.hold) and not above.hold and not any(load.is_tie for load in above.load)
         free = unheld or (held_to is not None and hinge >= held_to - SAME_HINGE)
         turning.append(replace(part, hinge=hinge, wall=make_free(above) if free else above))
-    spans = _spans_of_leaf(whole) if part.aspect else find_bending_spans(whole)
-    return turning + [replace(part, hinge=low, wall=cut_span(whole, low, high), top=high) for low, high in spans]
+    spans = _spans_of_leaf(whole) if part.aspect else find_bending_spans(whole, hinges)
+    bending = [replace(part, hinge=low, wall=cut_span(whole, low, high), top=high) for low, high in spans]
+    inward = () if part.aspect else find_inward_spans(whole, hinges, spans)
+    held = () if part.aspect else find_held_stretches(whole)
+    return [
+        *turning,
+        *bending,
+        *(_bent_inward(part, low, high) for low, high in inward),
+        *(_held_part(part, stretch) for stretch in held),
+    ]
+
+
+def _held_part(part: WallPart, stretch: HeldStretch) -> WallPart:
+    held = replace(part, hinge=stretch.low, wall=stretch.wall, top=stretch.high, held=True)
+    return replace(held, wall=replace(stretch.wall, name=held.own_name))
+
+
+def best_way(parts: Sequence[WallPart], worst: Callable[[list[int]], Any]) -> list[int]:
+    """Numbers of the parts of a wall that count: an anchored wall bends between its holds as long as these hold, and
+    without them it turns; the better of both ways does, with what is looked at in either.
+
+    worst : of parts by their numbers, what the worst of them comes to, the more the better
+    """
+    top = max((require_value(part.top) for part in parts if part.held), default=None)
+    numbers = list(range(len(parts)))
+    if top is None:
+        return numbers
+    shared = [k for k in numbers if not parts[k].held and _counts_anyway(parts[k], top)]
+    held = [k for k in numbers if parts[k].held] + shared
+    free = [k for k in numbers if not parts[k].held]
+    return max((free, held), key=worst)
+
+
+def _counts_anyway(part: WallPart, top: float) -> bool:
+    """Whether a part moves whatever holds the wall below a height: what is above, between transverse walls, a leaf."""
+    return bool(part.aspect) or part.wall.mechanism == ARCHES or (part.turns and part.hinge >= top - SAME_HINGE)
+
+
+def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
+    """A stretch of a wall as it bends inward: its mirror as it bends outward."""
+    return replace(part, hinge=low, wall=mirror_inward(cut_span(part.wall, low, high)), top=high, inward=True)
 
 
 def highest_hold(wall: Wall, building: Building | None) -> float | None:
-    """Height above the base of a one-sided wall up to which something holds it [m]: its highest hold, or a tie above
+    """Height above the base of a wall that leans up to which something holds it [m]: its highest hold, or a tie above
     that. What stands above is free, and rocks to both sides (C8.7.1.2.1.3: porzioni svettanti). None of a wall that
     does not reach higher by more than it is thick there, which does not rock, that begins there, or of which nobody
     says how far it is held."""
-    if wall.mechanism != "one_sided" or wall.height_m is None or wall.corner is not None:
+    if not wall.leans or wall.height_m is None or wall.corner is not None:
         return None
     tops = _tops_of_holds(wall, building)
     if None in tops or not tops:
@@ -226,14 +277,27 @@ def _tops_of_holds(wall: Wall, building: Building | None) -> list[float | None]:
     return [hold.top(least) for hold in wall.hold]
 
 
+def leaves_end_open(wall: Wall, building: Building | None) -> bool:
+    """Whether nobody says up to which height a wall that leans is held: its own part above that may be free."""
+    return wall.leans and wall.corner is None and None in _tops_of_holds(wall, building)
+
+
 def make_free(wall: Wall) -> Wall:
     """The part of a wall above what holds it, which rocks to both sides; itself where its loads let it stand to one
     side alone."""
-    free = replace(
-        wall, mechanism="two_sided", restitution=None, velocity_ratio=None, law="auto", free_element=None, hold=()
-    )
+    sides: dict[str, Any] = {
+        "mechanism": "two_sided",
+        "restitution": None,
+        "velocity_ratio": None,
+        "law": "auto",
+        "free_element": None,
+    }
+    free = replace(wall, **sides, hold=(), **NO_DESIGN)
     return free if free.in_si.rocks_both_ways else wall
 
+
+NO_DESIGN: dict[str, Any] = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"))
+"""Keys of a wall for which no tie is designed."""
 
 MOST_ROWS, MOST_SPANS = 8, 6
 """Rows of connectors above which a leaf is looked at, and stretches up to the highest of them: evenly spread where
@@ -271,11 +335,21 @@ def _hinges_of_leaf(leaf: Wall, building: Building | None) -> list[float]:
 
 def count_wall_parts(asked: Wall, building: Building | None) -> int:
     """Number of `parts_of` by each of their mechanisms, without making them where they are those of most walls."""
-    asked = add_floor_loads(asked, building)
-    if asked.leaf is not None or asked.all_directions:
-        return sum(len(part.wall.mechanisms()) for part in make_wall_parts(0, asked, building))
-    turning = (1 + len(turning_hinges(asked, building))) * len(asked.mechanisms())
-    return turning + len(find_bending_spans(asked)) + spans(asked)
+    whole = add_floor_loads(asked, building)
+    if whole.leaf is not None or whole.all_directions or len(whole.mechanisms()) > 1:
+        return sum(len(part.wall.mechanisms()) for part in make_wall_parts(0, whole, building))
+    hinges = turning_hinges(whole, building)
+    between_ties = find_bending_spans(whole, hinges)
+    bending = len(between_ties) + len(find_inward_spans(whole, hinges, between_ties))
+    return (1 + len(hinges)) * len(whole.mechanisms()) + bending + spans(whole) + len(find_held_stretches(whole))
+
+
+def turns_above_ties(wall: Wall, hinge: float) -> bool:
+    """Whether a wall turns about the highest of the ties above a hinge of its before it bends between: it is too stocky
+    there."""
+    ties = [load.h_m for load in wall.load if load.is_tie and load.h_m > hinge]
+    stocky = all(tie - hinge < MIN_SLENDERNESS * require_value(wall.thickness) for tie in ties)
+    return bool(ties) and stocky and max(ties) in default_hinges(wall, None)
 
 
 def turning_hinges(wall: Wall, building: Building | None) -> Sequence[float]:
@@ -285,7 +359,12 @@ def turning_hinges(wall: Wall, building: Building | None) -> Sequence[float]:
     held_to = None if building is None or building.modes else highest_hold(wall, building)
     if held_to is not None and all(abs(held_to - hinge) > SAME_HINGE for hinge in hinges):
         hinges = sorted([*hinges, held_to])
-    ties = {high for _, high in find_bending_spans(wall)}
+    anchor = highest_anchor(wall)
+    if anchor is not None and all(abs(anchor - hinge) > SAME_HINGE for hinge in hinges):
+        hinges = sorted([*hinges, anchor])
+    ties = {high for _, high in find_bending_spans(wall, hinges)}
+    if any(turns_above_ties(wall, hinge) and opens_inside(wall, hinge) for hinge in (0.0, *hinges)):
+        ties.add(max(load.h_m for load in wall.load if load.is_tie))
     if not ties:
         return hinges
     more = [height for height in default_hinges(wall, building) if height in ties and height not in hinges]

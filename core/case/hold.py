@@ -134,3 +134,13 @@ class Hold:
             beyond = unit_weight * sizes[0] * sizes[1]
         between = arch.arch_of(spacing, thickness, strength, tie, shoulder, presses, beyond)
         return between._replace(across=1e3 * (self.out_kn_m or 0.0))
+
+
+@dataclass(frozen=True)
+class ShareOfHold(Hold):
+    """What a hold has for the stretch below it, or for the one above (h_m 0).
+
+    beside_kn_m : weight whose inertia goes to it beside what the stretch hands to it, by the lever rule
+    """
+
+    beside_kn_m: float = 0.0

@@ -3,9 +3,11 @@
 from collections.abc import Mapping
 from typing import Any
 
+from core.case.held_stretches import find_held_stretches, stands_outward
 from core.case.hold import AT_A_HEIGHT, BETWEEN, OF_BUILDING, STRENGTH, Hold
 from core.case.site import Building
 from core.case.wall import BENDS, Wall
+from core.codes.vertical_bending import MIN_SLENDERNESS
 from core.errors import InputError, place
 from core.text.sentence import Key
 from core.wall.bending import TOP_TOLERANCE
@@ -21,6 +23,10 @@ def check_holds(wall: Wall) -> None:
     for n, hold in enumerate(wall.hold, start=1):
         _check_hold(wall, hold, (*here, place("hold", n=n)))
     spans = [n for n, hold in enumerate(wall.hold, start=1) if hold.spacing_m is not None]
+    counted = wall.mechanism == BENDS or not any(stands_outward(hold) for hold in wall.hold)
+    if not counted and not find_held_stretches(wall):
+        n = next(n for n, hold in enumerate(wall.hold, start=1) if stands_outward(hold))
+        raise InputError("hold_not_counted", place=(*here, place("hold", n=n)), key="out_kn_m", least=MIN_SLENDERNESS)
     if len(spans) > 1:
         raise InputError("hold_two_spacings", place=(*here, place("hold", n=spans[1])), key="spacing_m", first=spans[0])
 
@@ -54,8 +60,6 @@ def _check_height(wall: Wall, hold: Hold, here) -> None:
     below = hold.kind in AT_A_HEIGHT and hold.h_m is not None and hold.h_m < height * (1.0 - TOP_TOLERANCE)
     if below and wall.mechanism == BENDS:
         raise InputError("hold_below_top", place=here, key="h_m", found=hold.h_m, height=height)
-    if hold.kind in AT_A_HEIGHT and hold.out_kn_m is not None and wall.mechanism != BENDS:
-        raise InputError("hold_of_bending", place=here, key="out_kn_m")
 
 
 def check_holds_of_building(wall: Wall, building: Building | None) -> None:

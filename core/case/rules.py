@@ -10,7 +10,7 @@ from core.case.directions import check_directions
 from core.case.floor_loads import WallSetChecker, add_floor_loads, check_floors, check_floors_on, floor_at
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_bends, check_held_top
-from core.case.hinges import WallPart, check_hinges, make_wall_parts, turning_hinges
+from core.case.hinges import WallPart, check_hinges, make_wall_parts, turning_hinges, turns_above_ties
 from core.case.hold_rules import check_holds, check_holds_of_building
 from core.case.keys import is_required
 from core.case.load_rules import check_design, check_given, check_loads
@@ -237,7 +237,8 @@ def check_part(part: WallPart) -> None:
     """Raise InputError for a part of a wall that does not stand, or cannot be as the wall is asked to be."""
     wall, whole = part.wall, part.body
     try:
-        bends = bool(find_bending_spans(whole)) or (bool(part.aspect) and not has_load_below_tie(whole))
+        bends = bool(find_bending_spans(whole, (part.hinge,))) or turns_above_ties(whole, part.hinge)
+        bends = bends or (bool(part.aspect) and not has_load_below_tie(whole))
         check_loads(wall, numbers_above(whole, part.hinge), bends=bends)
     except InputError as error:
         corner, leaf = whole.corner, part.asked.leaf

@@ -5,7 +5,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from core.case.above_hinge import cut_above_hinge, solid_of
-from core.case.hold import Document, Hold
+from core.case.held_top import mirror_inward
+from core.case.hold import AT_A_HEIGHT, Document, Hold
 from core.case.loads import Load
 from core.case.shape import cut_between
 from core.case.wall import BENDS, Wall
@@ -21,26 +22,32 @@ MIN_SHARE_OF_BENDING = 0.8
 """Share of the multiplier by which a wall bends from which it is looked at: where turning about the base with its ties
 at yield starts at less, that governs."""
 
+TURNS_WELL_BEFORE = 4.0 / 3.0
+"""Multiplier of bending over that of turning from which turning governs: its e* is 3/4 of a plain wall, and none is
+above 1."""
 
-def find_bending_spans(wall: Wall) -> tuple[tuple[float, float], ...]:
+
+def find_bending_spans(wall: Wall, hinges: Sequence[float] = ()) -> tuple[tuple[float, float], ...]:
     """Stretches (from, to) above the base [m] in which a wall on one side bends below its ties, where these hold about
-    as much as one block takes, or more: from its base, each tie and each weight (which holds only what is below it) to
-    each tie above, over ties too weak for what the stretches beside them push with; at least MIN_SLENDERNESS times as
-    high as thick. What it drags along of return walls is no part of them. Empty of a corner and of oblique or dragged
-    solids, and where more than weights acts below the highest tie (a thrust there goes into it), or a tie has slack."""
+    as much as one block takes, or more: from its base, each tie, each weight (which holds only what is below it) and
+    each of its hinges about which it is no longer one block to each tie above, over ties too weak for what the
+    stretches beside them push with; at least MIN_SLENDERNESS times as high as thick. What it drags along of return
+    walls is no part of them. Empty of a corner and of oblique or dragged solids, and where more than weights acts
+    below the highest tie (a thrust there goes into it), or a tie has slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
     if not ties or wall.thickness is None or has_load_below_tie(wall):
         return ()
-    if wall.mechanism != "one_sided" or wall.return_walls is not None or not _is_one_sheet(wall):
+    if not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
         return ()
     least = MIN_SLENDERNESS * wall.thickness
     holds = _holds(wall, ties)
-    lows = sorted({0.0, *ties, *(load.h_m for load in wall.load if load.is_weight)})
+    opened = (hinge for hinge in hinges if hinge < ties[-1] and opens_inside(wall, hinge))
+    lows = sorted({0.0, *ties, *opened, *(load.h_m for load in wall.load if load.is_weight)})
     pairs = tuple(
         (low, high)
         for high in ties
         for low in lows
-        if high - low >= least and _bears(wall, low, high) and not any(low < hold < high for hold in holds)
+        if high - low >= least and bears_stretch(wall, low, high) and not any(low < hold < high for hold in holds)
     )
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
@@ -54,23 +61,52 @@ def _bends_first(wall: Wall, low: float, high: float) -> bool:
     if low == 0.0 or multiplier_at_yield(wall) >= starts:
         return multiplier_at_yield(wall) >= starts
     try:
-        part = cut_above_hinge(wall, low)
+        return opens_inside(wall, low) or multiplier_at_yield(cut_above_hinge(wall, low)) >= starts
     except InputError:  # nothing turns there
         return False
-    return hinge_inside(part.in_si) is not None or multiplier_at_yield(part) >= starts
+
+
+def opens_inside(wall: Wall, hinge: float) -> bool:
+    """Whether the part of a wall above a hinge opens another one before it turns: its ties are that strong."""
+    return hinge_inside(cut_above_hinge(wall, hinge).in_si) is not None
+
+
+def find_inward_spans(
+    wall: Wall, hinges: Sequence[float], outward: Sequence[tuple[float, float]]
+) -> list[tuple[float, float]]:
+    """Stretches (from, to) above the base [m] in which a wall that leans bends inward, pressed against the floors
+    behind it, unless it turns outward well before; none of a wall with something behind
+    it all along.
+
+    hinges : about which it turns; outward : stretches that are looked at as they bend both ways
+    """
+    floors = sorted({require_value(hold.h_m) for hold in wall.hold if hold.kind in AT_A_HEIGHT})
+    sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
+    if not sized or len(floors) < len(wall.hold) or not wall.leans or not is_one_sheet(wall):
+        return []
+    least = MIN_SLENDERNESS * require_value(wall.thickness)
+    pairs = zip([0.0, *floors], floors, strict=False)
+    between = [(low, high) for low, high in pairs if high - low >= least and bears_stretch(wall, low, high)]
+    return [pair for pair in between if pair not in outward and not _turns_well_before(wall, hinges, *pair)]
+
+
+def _turns_well_before(wall: Wall, hinges: Sequence[float], low: float, high: float) -> bool:
+    """Whether a wall turns outward about a hinge that is looked at, at the foot of a stretch or above, where the motion
+    is no less, long before it bends inward there."""
+    inward = bending(mirror_inward(cut_span(wall, low, high)).in_si).alpha0
+    feet = (hinge for hinge in (0.0, *hinges) if hinge >= low)
+    return any(inward >= TURNS_WELL_BEFORE * multiplier_at_yield(cut_above_hinge(wall, foot)) for foot in feet)
 
 
 def leaves_stretches_out(wall: Wall) -> bool:
     """Whether a wall may bend between its base and a tie, and that is not looked at: beside a thrust, a slack tie,
-    friction of return walls or solids at an angle. The engineer may set it aside with a reason for `hinge_heights`."""
-    if wall.mechanism != "one_sided" or wall.thickness is None:
-        return False
-    if wall.justification and wall.justification.hinge_heights:
+    friction of return walls or solids at an angle."""
+    if not wall.leans or wall.thickness is None:
         return False
     least = MIN_SLENDERNESS * wall.thickness
     if not any(load.is_tie and load.h_m >= least for load in wall.load):
         return False
-    return has_load_below_tie(wall) or wall.return_walls is not None or not _is_one_sheet(wall)
+    return has_load_below_tie(wall) or wall.return_walls is not None or not is_one_sheet(wall)
 
 
 def has_load_below_tie(wall: Wall) -> bool:
@@ -80,7 +116,7 @@ def has_load_below_tie(wall: Wall) -> bool:
     return any(load.slack_mm for load in wall.load) or any(height < highest for height in others)
 
 
-def _is_one_sheet(wall: Wall) -> bool:
+def is_one_sheet(wall: Wall) -> bool:
     """Whether nothing but wedges of return walls is at an angle to a wall, or behind it."""
     if wall.corner is not None:
         return False
@@ -88,7 +124,7 @@ def _is_one_sheet(wall: Wall) -> bool:
     return not any(part.plane == "oblique" or is_dragged(part, parts, face) for part in parts)
 
 
-def _bears(wall: Wall, low: float, high: float) -> bool:
+def bears_stretch(wall: Wall, low: float, high: float) -> bool:
     """Whether a stretch of a wall stands on what is below it, and reaches the tie above it."""
     parts = _sheet(wall)
     return not parts or (contact_at(parts, low) is not None and faces_at(parts, high, below=True) is not None)
@@ -109,7 +145,7 @@ def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
         least = MIN_SLENDERNESS * require_value(wall.thickness)
         if min(height - below, above - height) < least:
             continue
-        if not (_bears(wall, below, height) and _bears(wall, height, above)):
+        if not (bears_stretch(wall, below, height) and bears_stretch(wall, height, above)):
             continue
         lower, upper = (bending(cut_span(wall, *pair).in_si) for pair in ((below, height), (height, above)))
         pushes = lower.top_force + upper.alpha0 * upper.mass * G - upper.top_force
@@ -125,7 +161,7 @@ def multiplier_at_yield(wall: Wall) -> float:
     return side.sine * math.tan(masonry.block.slenderness) + side.cosine
 
 
-def _shown(wall: Wall) -> Document | None:
+def shown_ties(wall: Wall) -> Document | None:
     """What shows the ties of a wall, where the engineer says it: what shows that something stands behind the wall is
     none of them."""
     reasons, holds = wall.justification, wall.held_by
@@ -144,7 +180,7 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
     stands on it, a rectangle at its middle, another wall where its centroid is: its mass is held by the tie."""
     assert wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     cut, outer, held = _cut(wall, low, high)
-    thickness, weight, depth = require_value(cut["thickness_m"]), *_above(wall, high)
+    thickness, (weight, depth, _) = require_value(cut["thickness_m"]), weight_above(wall, high)
 
     def inside(load: Load) -> float:
         """Distance of a weight from the outer face of the stretch [m]: on the stretch, what is above it at its top."""
@@ -186,7 +222,7 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
         tie_elongation_m=None,
         tie_spacing_m=None,
         # what the tie stands is looked at where the stretch is chosen
-        hold=(Hold("tie", h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),),
+        hold=(Hold("tie", h_m=high - low, out_kn_m=math.inf, evidence=shown_ties(wall)),),
     )
 
 
@@ -210,18 +246,15 @@ def _cut(wall: Wall, low: float, high: float) -> tuple[dict, float, tuple[float,
     return keys, outer, (highest[0] - outer, highest[1] - outer)
 
 
-def _above(wall: Wall, height: float) -> tuple[float, float]:
-    """Weight of what is above a height of a wall [kN/m], and x of its centroid from the outer face of its base [m]."""
+def weight_above(wall: Wall, height: float) -> tuple[float, float, float]:
+    """Weight of what is above a height of a wall [kN/m], x of its centroid from the outer face of its base, and z of it
+    from that height [m]."""
     if not (parts := _sheet(wall)):
-        over = (
-            require_value(wall.unit_weight_kn_m3)
-            * require_value(wall.thickness)
-            * (require_value(wall.height_m) - height)
-        )
-        return over, 0.5 * require_value(wall.thickness)
+        thickness, left = require_value(wall.thickness), require_value(wall.height_m) - height
+        return require_value(wall.unit_weight_kn_m3) * thickness * left, 0.5 * thickness, 0.5 * left
     cut = ((part, cut_above(part.polygon, height)) for part in parts)
     bodies = [part._replace(polygon=tuple(polygon)).body for part, polygon in cut if polygon]
     body = sum_bodies(bodies) if bodies else None
     if body is None or body.mass <= 0.0:  # the tie is at the top
-        return 0.0, 0.0
-    return 1e-3 * G * body.mass / require_value(wall.length_m), body.centroid[0]
+        return 0.0, 0.0, 0.0
+    return 1e-3 * G * body.mass / require_value(wall.length_m), *body.centroid

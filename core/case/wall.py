@@ -5,7 +5,7 @@ import math
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
-from core.case.hold import AT_A_HEIGHT, Hold
+from core.case.hold import AT_A_HEIGHT, Hold, ShareOfHold
 from core.case.keys import choice_key, flag_key, key, number_key, section_to_dict, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
@@ -219,8 +219,9 @@ class Wall(Shaped):
             shown.kind if shown else None,
             note,
             self.unloaded_confirmed,
-            hold.only_there,
             None if hold.out_kn_m is None else 1e3 * hold.out_kn_m,
+            1e3 * hold.beside_kn_m if isinstance(hold, ShareOfHold) else 0.0,
+            next((1e3 * foot.out_kn_m for foot in self.hold if foot.h_m == 0.0 and foot.out_kn_m is not None), None),
         )
 
     def _arch(self) -> Arch | None:
@@ -339,6 +340,11 @@ class Wall(Shaped):
     def bends(self) -> bool:
         """Whether it is held at its top, or at both ends, and opens a hinge between."""
         return self.mechanism in (BENDS, ARCHES)
+
+    @property
+    def leans(self) -> bool:
+        """Whether it may overturn to one side alone: something stands behind it."""
+        return "one_sided" in self.mechanisms()
 
     def mechanisms(self) -> tuple[str, ...]:
         return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)

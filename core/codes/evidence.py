@@ -31,9 +31,7 @@ class Circumstances:
     exact : the integrator is not one for comparison
     unbranched : code of the reason why histories have not the elastic branch the clause asks for, empty where they have
     sound : stations of records that nothing doubts, -1 where nobody looked
-    unchecked : heights above the base at which a mechanism may start too, and that nobody looks at [m]
-    hinges_asked : the engineer says which are looked at
-    stretches_left_out : it may bend between its base and a tie, and nobody looks at that
+    left_out : sentences on the mechanisms that nobody looks at
     """
 
     stations: int
@@ -44,9 +42,7 @@ class Circumstances:
     exact: bool = True
     unbranched: str = ""
     sound: int = -1
-    unchecked: tuple[float, ...] = ()
-    hinges_asked: bool = False
-    stretches_left_out: bool = False
+    left_out: tuple[Sentence, ...] = ()
 
 
 def governing_check(checks: tuple[Check, ...]) -> Check | None:
@@ -195,9 +191,7 @@ def _of_what_holds(seen: Evidence) -> list[Sentence]:
     """What is not known of what restrains a wall: behind it, between its cross walls, or at its top."""
     wall, declared = seen.wall, seen.wall.declared
     if seen.mechanism == "one_sided":
-        if not declared.restraint:
-            return [reason("no_restraint")]
-        return [reason("no_arch", arch=Key("spacing_m"))] if declared.only_there else []
+        return [] if declared.restraint else [reason("no_restraint")]
     if not wall.bends:
         return []
     if wall.arch is not None:
@@ -221,14 +215,7 @@ def _of_the_stations(seen: Evidence) -> list[Sentence]:
 def indicative_reasons(seen: Evidence) -> list[Sentence]:
     """Reasons for which the checks are indicative only."""
     demand, compliance, circumstances = seen.demand, seen.compliance, seen.circumstances
-    reasons = []
-    if circumstances.unchecked:
-        heights = tuple(Number(height, ".4g") for height in circumstances.unchecked)
-        keys = {"building": Key("[building]"), "key": Key("hinge_heights")}
-        code = "hinges_as_asked" if circumstances.hinges_asked else "heights_left_out"
-        reasons.append(reason(code, heights=heights, **keys))
-    if circumstances.stretches_left_out:
-        reasons.append(reason("stretches_left_out", key=Key("hinge_heights"), reasons=Key("justification")))
+    reasons = [*circumstances.left_out]
     if seen.dynamic:
         if compliance is None:
             reasons.append(reason("no_spectrum"))

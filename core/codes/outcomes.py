@@ -52,6 +52,17 @@ def worst_outcome(rows: Iterable[Any], of: Callable[[Any], tuple[str, float | No
     return min(rows, key=lambda row: severity_key(*of(row)))
 
 
+def way_key(rows: Iterable[tuple[str, float | None, float]]) -> tuple[int, int, float]:
+    """Key that sorts ways in which a wall may be held, worst first: by what the worst of its mechanisms allows, among
+    ways that fail by the lowest zeta, else by the table and zeta. rows : code, zeta and the zeta required of each"""
+    every = list(rows)
+    code, zeta, target = min(every, key=lambda row: severity_key(*row))
+    judgement = OUTCOMES[code].judgement
+    if judgement == FAILS:
+        return 0, 0, min((low / need for _, low, need in every if low is not None), default=0.0)
+    return (FAILS, OPEN, PASSES).index(judgement), _RANK[code], (zeta or 0.0) / target
+
+
 def min_if_all_known(values: Iterable[float | None]) -> float | None:
     """The lowest of several numbers that all count; None where one of them is not known, or there is none."""
     known = list(values)

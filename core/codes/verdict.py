@@ -41,6 +41,8 @@ TO_MEND = {
     "hinges_as_asked": Sentence(
         "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
     ),
+    "end_left_open": Sentence("reason", "to_end", (("key", Key("to_m")), ("building", Key("[building]")))),
+    "direction_left_out": Sentence("reason", "to_directions", (("key", Key("all_directions")),)),
     "stretches_left_out": Sentence(
         "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
     ),

@@ -157,24 +157,27 @@ class MovingStrip:
         return held, push.sum(-1) + sideways - held
 
     @cached_property
-    def start(self) -> float:
-        """R_0 [N/m]: the reaction of the hold as the wall begins to move."""
-        return float(self.reactions(0.0, 0.0, self.multiplier(), 0.0)[0])
+    def alpha0(self) -> float:
+        """Multiplier at which the wall begins to move."""
+        return float(self.multiplier())
 
     @cached_property
-    def growth(self) -> float:
-        """kappa [N/m]: growth of the reaction with the push on a wall that moves, at rest."""
-        return float(self.reactions(0.0, 0.0, self.multiplier() + 1.0)[0]) - self.start
+    def starts(self) -> tuple[float, float]:
+        """(R_0, T_0) [N/m]: reactions at the top and at the base as the wall begins to move."""
+        held, base = self.reactions(0.0, 0.0, self.alpha0, 0.0)
+        return float(held), float(base)
 
-    def bound(self, alpha: float) -> float:
+    @cached_property
+    def growths(self) -> tuple[float, float]:
+        """kappa at the top and at the base [N/m]: growth of a reaction with the push on a wall that moves, at rest."""
+        held, base = self.reactions(0.0, 0.0, self.alpha0 + 1.0)
+        return float(held) - self.starts[0], float(base) - self.starts[1]
+
+    def bound(self, alpha: float, at_base: bool = False) -> float:
         """Largest reaction [N/m] of a wall that moves, under pushes up to alpha [-]: R_0 + kappa (alpha - alpha_0). Of
-        380 random walls under 28 motions each the largest was 1.000 of it (tests/core/mechanism)."""
-        return self.start + self.growth * max(0.0, alpha - float(self.multiplier()))
-
-    def largest_push(self, stands: float) -> float:
-        """alpha [-] up to which `bound` is at most what a hold stands [N/m]; 0 of one that does not stand R_0."""
-        alpha0 = float(self.multiplier())
-        return alpha0 + (stands - self.start) / self.growth if stands >= self.start else 0.0
+        380 random walls under 28 motions each the largest at the top was 1.000 of it, of 200 under 480 pulses the
+        largest at the base too (tests/core/mechanism)."""
+        return self.starts[at_base] + self.growths[at_base] * max(0.0, alpha - self.alpha0)
 
     def momentum(self, about: float) -> float:
         """Angular momentum of both blocks about a point of the base at x = about [m], by a unit of theta' at rest [kg
@@ -224,10 +227,10 @@ def impulse(leaving: MovingStrip, entering: MovingStrip, speed: float) -> float:
 
 
 def reactions_of_history(
-    outward: MovingStrip, inward: MovingStrip, motion: History, push: np.ndarray, dt: float
+    outward: MovingStrip, inward: MovingStrip, motion: History, push: np.ndarray, dt: float, at_base: bool = False
 ) -> tuple[float, float]:
-    """Largest reactions [N/m] of the hold at the top along a history, outward-holding and inward-holding: at every
-    sample while the wall moves, and on both sides of each impact.
+    """Largest reactions [N/m] of the hold at the top, or of the base, along a history, outward-holding and
+    inward-holding: at every sample while the wall moves, and on both sides of each impact.
 
     outward, inward : the wall to its two sides; motion : its history; push : outward, over g [-], shape (n,); dt : [s]
     """
@@ -244,7 +247,7 @@ def reactions_of_history(
         speeds = np.concatenate([sign * speed[moving], after, left])
         pushes = sign * np.concatenate([push[: rotation.size][moving], at_impacts[entered], at_impacts[~entered]])
         if theta.size:
-            held = strip.reactions(theta, speeds, pushes)[0]
+            held = strip.reactions(theta, speeds, pushes)[at_base]
             largest[k] = max(largest[k], float(held.max()))
             largest[1 - k] = max(largest[1 - k], -float(held.min()))
     return largest[0], largest[1]

@@ -3,7 +3,7 @@
 A reaction is never divided by q, and a moving one takes no confidence factor: a stronger wall pushes harder.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from core.boundary import narrowed
@@ -13,7 +13,8 @@ from core.mechanism.rest import (
     BISECTIONS,
     SLIDING,
     Reach,
-    greatest_reaction,
+    base_reaction,
+    greatest_at_top,
     holds_at_rest,
     multiplier_at_rest,
     simple_reactions,
@@ -21,8 +22,8 @@ from core.mechanism.rest import (
 from core.mechanism.sections import Sections
 from core.wall.masonry import Masonry
 
-TOP, BASE, ENDS = "top", "base", "ends"
-"""What holds a wall."""
+TOP, BASE, FOOT, ENDS = "top", "base", "foot", "ends"
+"""What holds a wall: at its top, the joint at its base, a floor at its foot, its ends."""
 
 UNLIMITED = 1e9
 """Strength that no wall reaches [N/m]."""
@@ -31,7 +32,7 @@ UNLIMITED = 1e9
 class HoldLimit(NamedTuple):
     """A hold that a push may overcome.
 
-    hold : TOP, BASE or ENDS; stands : [N/m], of ENDS across each of them, per metre of height
+    hold : TOP, BASE, FOOT or ENDS; stands : [N/m], of ENDS across each of them, per metre of height
     push : alpha up to which it holds [-]; side : the motion that asks most of it, "outward" or "inward"
     """
 
@@ -49,12 +50,23 @@ def reaction_of_top(sections: Sections, moving: MovingStrip, alpha: float) -> fl
     """Largest reaction [N/m] of a stiff hold at the top under pushes up to alpha [-]: at rest the lesser of the simple
     beam and of what pulls the wall in over its inner edge, from the start of the mechanism on the bound of what
     moves."""
-    if alpha >= moving.multiplier():
+    if alpha >= moving.alpha0:
         return moving.bound(alpha)
     height = require_value(sections.wall.height)
-    most = greatest_reaction(sections, [Reach(height, UNLIMITED)], 0, alpha)
-    simple = simple_reactions(sections, [height], alpha)[0]
-    return max(0.0, simple if most is None else min(simple, most))
+    return max(0.0, min(simple_reactions(sections, [height], alpha)[0], greatest_at_top(sections, height, alpha)))
+
+
+def force_on_top(sections: Sections, moving: MovingStrip, alpha: float) -> float:
+    """Largest force [N/m] on the hold at the top under pushes up to alpha [-]: the reaction of the wall below it, with
+    the inertia of what goes to the hold beside that."""
+    return reaction_of_top(sections, moving, alpha) + alpha * sections.wall.declared.beside
+
+
+def reaction_of_foot(sections: Sections, moving: MovingStrip, alpha: float) -> float:
+    """Largest reaction [N/m] of what holds the foot of a wall across, under pushes up to alpha [-]."""
+    if alpha >= moving.alpha0:
+        return moving.bound(alpha, at_base=True)
+    return max(0.0, base_reaction(sections, [reaction_of_top(sections, moving, alpha)], alpha))
 
 
 def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator[HoldLimit]:
@@ -63,16 +75,21 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
 
     wall : as it moves outward, or mirrored; moving : its strip with the hinge of the least multiplier
     """
-    sections, strength = Sections(wall), require_value(wall.declared.strength)
-    height, alpha0 = require_value(wall.height), float(moving.multiplier())
-    if strength >= moving.start:
-        yield HoldLimit(TOP, strength, moving.largest_push(strength), side)
-    else:
-        push, _, _ = narrowed(
-            lambda alpha: reaction_of_top(sections, moving, alpha) <= strength, 0.0, alpha0, steps=BISECTIONS
-        )
-        yield HoldLimit(TOP, strength, push, side)
-    held = [Reach(height, UNLIMITED, UNLIMITED)]
+    sections, declared = Sections(wall), wall.declared
+    strength, alpha0 = require_value(declared.strength), moving.alpha0
+
+    def push_at(reaction: Callable[[float], float], most: float) -> float:
+        """alpha up to which a reaction is at most what a hold stands."""
+        if reaction(alpha0) <= most:  # from there on it grows evenly
+            slope = reaction(alpha0 + 1.0) - reaction(alpha0)
+            return alpha0 + (most - reaction(alpha0)) / slope if slope > 0.0 else UNLIMITED
+        return narrowed(lambda alpha: reaction(alpha) <= most, 0.0, alpha0, steps=BISECTIONS)[0]
+
+    yield HoldLimit(TOP, strength, push_at(lambda alpha: force_on_top(sections, moving, alpha), strength), side)
+    if (foot := declared.foot_strength) is not None:
+        yield HoldLimit(FOOT, foot, push_at(lambda alpha: reaction_of_foot(sections, moving, alpha), foot), side)
+        return
+    held = [Reach(require_value(wall.height), UNLIMITED, UNLIMITED)]
     if not holds_at_rest(sections, held, alpha0 * (1.0 - 1e-6)):  # it slides before it bends
         yield HoldLimit(BASE, SLIDING * sections.at(0.0).weight, multiplier_at_rest(sections, held), side)
 

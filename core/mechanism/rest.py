@@ -10,6 +10,8 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from core.boundary import narrowed
 from core.mechanism.sections import Sections
 
@@ -65,6 +67,18 @@ def least_reaction(sections: Sections, holds: Sequence[Reach], n: int, alpha: fl
 def greatest_reaction(sections: Sections, holds: Sequence[Reach], n: int, alpha: float) -> float | None:
     """Greatest reaction [N/m] of hold n with which a wall stays at rest, whatever the others give; None: none does."""
     return _extreme(sections, holds, n, alpha, least=False)
+
+
+def greatest_at_top(sections: Sections, height: float, alpha: float) -> float:
+    """`greatest_reaction` [N/m] of one hold at this height [m], where nothing but the wall is held: in closed form, the
+    least of (alpha S + M_i)/(height - z) over all sections."""
+    pieces = sections.pieces[sections.pieces[:, 0] < height]
+    low, high = pieces[:, 0], np.minimum(pieces[:, 1], height - 1e-9)
+    a, b, c = (alpha * pieces[:, 2:5] + pieces[:, 5:8]).T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        inside = height - np.sqrt(height**2 + (b * height + a) / c)
+    places = np.array([low, high, np.clip(np.where(np.isfinite(inside), inside, low), low, high)])
+    return float(((a + b * places + c * places**2) / (height - places)).min())
 
 
 def simple_reactions(sections: Sections, heights: Sequence[float], alpha: float) -> list[float]:

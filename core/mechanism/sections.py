@@ -7,12 +7,18 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
 
 from core.known import require_value
 from core.units import G
 from core.wall.body import cut_above, sum_bodies
 from core.wall.masonry import Load, Masonry
 from core.wall.solids import changes, contact_at
+
+PIECES = 4
+"""Pieces between two heights at which a wall changes: of a wall of one thickness there one is exact."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +73,21 @@ class Sections:
         if self.wall.parts:
             inside += changes(self.wall.parts)
         return tuple(sorted({0.0, self.height, *(z for z in inside if 0.0 < z < self.height)}))
+
+    @cached_property
+    def pieces(self) -> np.ndarray:
+        """Stretches over which S and M_i with the thrusts are quadratic functions of z, as an array of rows (from, to,
+        three coefficients of S, three of the other), those of the power 0 first [m, N]."""
+        rows = []
+        for low, high in pairwise(self.levels):
+            for n in range(PIECES):
+                ends = low + (high - low) * n / PIECES, low + (high - low) * (n + 1) / PIECES
+                places = ends[0], 0.5 * sum(ends), ends[1]
+                cut = self.at(places[0]), self.at(places[1]), self.at_below(places[2])
+                powers = np.vander(places, increasing=True)
+                values = np.array([(section.push, section.pressing + section.inner) for section in cut])
+                rows.append([*ends, *np.linalg.solve(powers, values).T.ravel()])
+        return np.array(rows)
 
     @cached_property
     def thrusts(self) -> float:

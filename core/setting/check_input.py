@@ -19,12 +19,23 @@ from core.codes.record_compatibility import Compliance, check_compatibility
 from core.codes.vertical_bending import HingeAt, hinges_in_histories, lowest_hinge, model_of_bending
 from core.ground.ground_motion import GroundMotion
 from core.mechanism.bending_reactions import MovingStrip
-from core.mechanism.holds import BASE, ENDS, HoldLimit, limit_of_ends, limits_of_bending, reaction_of_top
+from core.mechanism.holds import (
+    BASE,
+    ENDS,
+    FOOT,
+    HoldLimit,
+    force_on_top,
+    limit_of_ends,
+    limits_of_bending,
+    reaction_of_foot,
+    reaction_of_top,
+)
 from core.mechanism.rest import base_reaction
 from core.mechanism.sections import Sections
 from core.rocking.methods import Method
 from core.setting.demand_input import find_generation_settings, generate_requested_motions
 from core.setting.floors import Floor, make_floor
+from core.text.sentence import Sentence
 from core.wall.arch import MIN_THRUST
 from core.wall.bending import strip_of
 from core.wall.masonry import Masonry
@@ -77,7 +88,7 @@ class CheckInput:
     q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
     histories : `run_dynamic_check`, or one that keeps its results
     period_taken : the period of the building is none that is given, but the worst of those it may have
-    unchecked, hinges_asked, stretches_left_out : of `Circumstances`
+    left_out : of `Circumstances`
     """
 
     wall: Wall
@@ -96,9 +107,7 @@ class CheckInput:
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = run_dynamic_check
     period_taken: bool = False
-    unchecked: tuple[float, ...] = ()
-    hinges_asked: bool = False
-    stretches_left_out: bool = False
+    left_out: tuple[Sentence, ...] = ()
 
     @cached_property
     def model(self) -> RockingModel:
@@ -149,8 +158,12 @@ class CheckInput:
         wall, moving = self._moving[limit.side]
         if limit.hold == ENDS:
             return 0.5 * (alpha + moving.strip.pressed) * moving.strip.weight
-        held = reaction_of_top(Sections(wall), moving, alpha)
-        return base_reaction(Sections(wall), [held], alpha) if limit.hold == BASE else held
+        sections = Sections(wall)
+        if limit.hold == FOOT:
+            return reaction_of_foot(sections, moving, alpha)
+        if limit.hold == BASE:
+            return base_reaction(sections, [reaction_of_top(sections, moving, alpha)], alpha)
+        return force_on_top(sections, moving, alpha)
 
     @property
     def signs(self) -> tuple[int, ...]:

@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.capacity.ida import Search
-from core.case.hinges import WallPart, count_wall_parts, find_unchecked_hinges, make_wall_parts, variant_key
+from core.case.hinges import WallPart, count_wall_parts, make_wall_parts, variant_key
+from core.case.register import find_left_out
 from core.case.schema import Case
 from core.case.site import Building
-from core.case.spans_between_ties import leaves_stretches_out
 from core.case.wall import ARCHES, Wall
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
@@ -24,6 +24,7 @@ from core.rocking.methods import AUTO, METHODS, Method
 from core.setting.check_input import CheckInput, make_rocking_model, select_polarities
 from core.setting.demand_input import generate_motions, read_demand
 from core.setting.floors import Floor, make_floor
+from core.setting.held_shares import find_push, share_out
 from core.setting.record_input import join_motions, read_records
 from core.setting.record_selection import Selection, select_records
 from core.wall.rocking_model import RockingModel
@@ -93,9 +94,7 @@ class Plan:
             histories_off=not self.case.analysis.histories,
             many=max(self.walls, len(self.case.wall)) > MANY_WALLS,
             histories=histories,
-            unchecked=find_unchecked_hinges(entry.part, self.case.building),
-            hinges_asked=entry.part.body.hinge_heights is not None,
-            stretches_left_out=entry.part.is_whole and leaves_stretches_out(entry.part.body),
+            left_out=find_left_out(entry.part, self.case.building),
         )
 
     @property
@@ -234,10 +233,30 @@ def make_plan(
                 closed_form = analyse_mechanism(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
             signs, felt = select_polarities(model, chosen.polarity), list(floor.motions) if floor else motions
             entries.append(PlannedWall(part, mechanism, model, signs, floor, felt, closed_form))
+    if demand:
+        entries = _share_out_holds(entries, demand)
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan
+
+
+def _share_out_holds(entries: list[PlannedWall], demand: SeismicDemand) -> list[PlannedWall]:
+    """The walls of a study with the holds between two stretches shared out as the demand asks for it."""
+    shared = list(entries)
+    for _, group in groupby(range(len(entries)), lambda k: entries[k].part.origin):
+        held = [k for k in group if entries[k].part.held]
+        pushes = [_push_of(entries[k], demand) for k in held]
+        if not held or None in pushes:
+            continue
+        walls = share_out([entries[k].part.wall for k in held], [push for push in pushes if push is not None])
+        for k, wall in zip(held, walls, strict=True):
+            shared[k] = entries[k]._replace(part=replace(entries[k].part, wall=wall))
+    return shared
+
+
+def _push_of(entry: PlannedWall, demand: SeismicDemand) -> float | None:
+    return None if entry.kinematic is None else find_push(entry.kinematic, demand, entry.felt)
 
 
 def count_results_by_wall(case: Case) -> Iterator[int]:

@@ -1,13 +1,13 @@
 """One verdict for each wall: the worst of its hinges and mechanisms, at every limit state."""
 
 from core.case.floor_loads import add_floor_loads
-from core.case.hinges import default_hinges
+from core.case.hinges import best_way, default_hinges
 from core.case.schema import Case
 from core.case.site import Demand
 from core.case.wall import Wall
 from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, sort_assumptions
 from core.codes.kinematic import Check
-from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, min_if_all_known, worst_outcome
+from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, min_if_all_known, way_key, worst_outcome
 from core.codes.outcomes import severity_key as severity_of
 from core.codes.risk import risk_of_wall
 from core.codes.verdict_sentence import hinge_phrase
@@ -36,7 +36,7 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         by_origin.setdefault(wall.part.origin, []).append(k)
     verdicts = []
     for origin, indices in by_origin.items():
-        ordered = sorted(indices, key=lambda k: wall_severity(walls[k]))
+        ordered = sorted(_counted(walls, indices), key=lambda k: wall_severity(walls[k]))
         hinges = [walls[k] for k in ordered]
         asked, states = case.wall[origin], _states(demand, hinges)
         hidden = [note for note in case.table_notes if note.code in HIDDEN_CELL_NOTICES]
@@ -46,6 +46,16 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         withstands = risk_of_wall([wall.required_assessment.risk for wall in hinges])
         verdicts.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
     return tuple(verdicts)
+
+
+def _counted(walls: tuple[WallResult, ...], indices: list[int]) -> list[int]:
+    """The results of a wall by which it is judged, of those at these places."""
+
+    def worst(numbers: list[int]) -> tuple:
+        verdicts = (walls[indices[n]].required_assessment.verdict for n in numbers)
+        return way_key((verdict.code, verdict.zeta_e, verdict.zeta_target) for verdict in verdicts)
+
+    return [indices[n] for n in best_way([walls[k].part for k in indices], worst)]
 
 
 def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:

@@ -19,6 +19,7 @@ GROUPS = (
     "verdict",  # what stands after the name of the wall
     "added",  # parts of a verdict's sentence
     "reason",  # of a verdict
+    "mechanism",  # rows of a register: names, directions, status, and why one is not possible
     "missing",  # what T_0 and the spectrum there take
     "short",  # what a list of checks calls a check
     "method_label",  # paragraphs of the sheet Method

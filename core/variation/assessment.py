@@ -17,7 +17,7 @@ from core.codes.verdict_sentence import restraint_phrase
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
 from core.known import require_value
-from core.mechanism.holds import BASE, ENDS, TOP
+from core.mechanism.holds import BASE, ENDS, FOOT, TOP
 from core.setting.check_input import CheckInput
 from core.setting.floors import LOW_CODE, building_notes
 from core.setting.plan import MANY_WALLS
@@ -278,7 +278,7 @@ def _of_bending(kinematic: KinematicAnalysis, wall: Wall, with_histories: bool) 
     return limits
 
 
-HOLD_REMARKS = {TOP: "hold_top", BASE: "hold_base", ENDS: "hold_ends"}
+HOLD_REMARKS = {TOP: "hold_top", BASE: "hold_base", FOOT: "hold_foot", ENDS: "hold_ends"}
 """Hold -> code of its sentence."""
 
 

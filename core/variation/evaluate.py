@@ -27,8 +27,8 @@ from core.codes.vertical_bending import uplift_multiplier
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
 from core.setting.check_input import CheckInput
+from core.setting.held_shares import find_push
 from core.text.sentence import Sentence, sentence
-from core.units import G
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
@@ -111,9 +111,7 @@ class Evaluation:
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
             sound=len(counted_stations([motion for motion in motions if not is_doubtful(motion)], demand)),
-            unchecked=scene.unchecked,
-            hinges_asked=scene.hinges_asked,
-            stretches_left_out=scene.stretches_left_out,
+            left_out=scene.left_out,
         )
         parts = (self.checks, self.dynamic, self.kinematic, scene.compliance, circumstances)
         wall = scene.wall.in_si
@@ -204,7 +202,8 @@ def find_reactions(evaluation: Evaluation) -> tuple[Reaction, ...]:
     """Reactions of the holds of a wall that bends, the one that gives way first at the head; none of holds without a
     strength."""
     scene = evaluation.scene
-    alpha = None if evaluation.kinematic is None else _largest_push(scene, evaluation.kinematic, evaluation.dynamic)
+    kinematic, motions = evaluation.kinematic, scene.motions if evaluation.dynamic else []
+    alpha = None if kinematic is None else find_push(kinematic, scene.demand, motions)
     if alpha is None:
         return ()
     zeta = evaluation.zeta
@@ -221,19 +220,11 @@ def find_reactions(evaluation: Evaluation) -> tuple[Reaction, ...]:
     )
 
 
-def _largest_push(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> float | None:
-    """alpha of the demand [-]: the largest push of the clauses and of the motions, never divided by q; None where none
-    is known."""
-    pushes = [] if kinematic.acceleration_demand is None else [kinematic.acceleration_demand]
-    if dynamic is not None:
-        pushes += [scene.demand.scaling(motion) * motion.pga for motion in scene.motions]
-    return max(pushes) / G if pushes else None
-
-
 def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> Check | None:
     """The check of what holds a wall that bends: of all that hold it the one that gives way first, under the largest
     push of the demand. None of a wall whose holds have no strength, and none where no push is known."""
-    limits, alpha, demand = scene.hold_limits, _largest_push(scene, kinematic, dynamic), scene.demand
+    limits, demand = scene.hold_limits, scene.demand
+    alpha = find_push(kinematic, demand, scene.motions if dynamic else [])
     if not limits or alpha is None:
         return None
     limit = min(limits, key=lambda limit: limit.push)

@@ -7,13 +7,14 @@ from pathlib import Path
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.floor_loads import isolate_wall
+from core.case.hinges import best_way
 from core.case.rules import replace_walls
 from core.case.schema import Case
 from core.case.site import FULL_FACTOR
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
-from core.codes.outcomes import FAILS, OPEN, min_if_all_known
+from core.codes.outcomes import FAILS, OPEN, min_if_all_known, way_key
 from core.setting.check_input import rescale_records
 from core.setting.plan import FloorCache, Inputs, make_plan
 from core.variation.evaluate import AT_LIMIT, FULL_PRECISION, Evaluation, Precision, evaluate
@@ -139,5 +140,11 @@ def evaluate_wall(
     plan = make_plan(setting.case, setting.inputs, floors=floors)
     scenes = [plan.scene(k, setting.demand, histories=setting.histories) for k in range(len(plan.entries))]
     if precision is None:
-        return WallEvaluation(tuple(evaluate(scene.without_records()) for scene in scenes))
-    return WallEvaluation(tuple(evaluate(scene, precision, other=False, cancelled=cancelled) for scene in scenes))
+        hinges = [evaluate(scene.without_records()) for scene in scenes]
+    else:
+        hinges = [evaluate(scene, precision, other=False, cancelled=cancelled) for scene in scenes]
+
+    def worst(numbers: list[int]) -> tuple:
+        return way_key((hinges[n].outcome, hinges[n].zeta, setting.demand.zeta_target) for n in numbers)
+
+    return WallEvaluation(tuple(hinges[n] for n in best_way([entry.part for entry in plan.entries], worst)))

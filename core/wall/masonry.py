@@ -89,16 +89,17 @@ class Declared:
 
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
     unloaded : that nothing rests on it
-    only_there : whether it holds the wall only where it stands, and not how far apart is said
-    strength : of what holds its top [N/m]
+    strength : of what holds its top [N/m]; beside : weight whose inertia that takes beside the wall's own [N/m]
+    foot_strength : of what holds its base across [N/m]; None of one that rests on the friction of its bed joint
     """
 
     restraint: str | None = None
     evidence: str | None = None
     note: str = ""
     unloaded: bool = False
-    only_there: bool = False
     strength: float | None = None
+    beside: float = 0.0
+    foot_strength: float | None = None
 
 
 @dataclass(frozen=True)
@@ -128,6 +129,8 @@ class Masonry:
     unit_weight: float | None = None
     modulus: float | None = None
     strength: float | None = None
+    beside: float = 0.0
+    foot_strength: float | None = None
     kind: str | None = None
     law: MomentLaw = RIGID
     branch: str = ""

@@ -5,7 +5,7 @@ from itertools import groupby
 from core.case.site import FULL_FACTOR
 from core.ground.provenance import provenance
 from core.known import require_value
-from core.report import assumption_table
+from core.report import assumption_table, register_words
 from core.report.confirmed import confirmation_codes
 from core.report.derived import cell_prefix
 from core.report.note import plan_figure, site, spectra_figure, wall_figures
@@ -29,6 +29,7 @@ from core.report.note.words import Words
 from core.report.place_lines import place_of
 from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tie_words import tie_lines
+from core.report.uncertainty_text import verdict_of
 from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
 from core.setting.demand_input import find_generation_settings
 from core.study.results import StudyResult, WallResult
@@ -302,7 +303,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     parts.append(Paragraph(sentence_of(wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
     parts += [Item(line) for line in reasons[:MAX_REASON_LINES]]
-    parts += [_checks(result, wall, words), Paragraph(held, "quiet")]
+    parts += [_checks(result, wall, words), Paragraph(held, "quiet"), *_register(result, wall, words)]
     parts += _side_by_side([*first, wall_figures.capacity(result, wall, words)])
     parts += site.solids(wall, words) + site.loads(wall, words)
     for title, steps in derived:
@@ -321,6 +322,16 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     if rest:
         parts.append(Heading(say("What else is to be read"), 3))
     return [*parts, *(Item(line, "quiet") for line in rest)]
+
+
+def _register(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
+    """The register of a wall, where this result decides about it."""
+    verdict = verdict_of(result, wall)
+    if verdict is None:
+        return []
+    rows = register_words.describe_rows(result, verdict, words.say, words.language)
+    table = Table(register_words.column_heads(words.say), rows, register_words.COLUMN_SHARES)
+    return [table, Paragraph(register_words.not_possible(result, verdict, words.language), "quiet")]
 
 
 def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:

@@ -94,7 +94,7 @@ CHECK = (
 
 
 REACTION = (
-    text("hold", "top, base or ends: what holds the wall"),
+    text("hold", "top, base, foot (a floor there) or ends: what holds the wall"),
     text("direction", "outward or inward: the motion that asks most of it"),
     number("at_demand_kn_m", "kN/m", "what it takes at the demand", scaled_reader(1e3, "at_demand")),
     number("at_zeta_kn_m", "kN/m", "what it takes at zeta of the check that decides", scaled_reader(1e3, "at_zeta")),
@@ -230,7 +230,6 @@ KINEMATIC = (
     number("zeta_sld", "-", "a_g,SLD over a_g, C8.7.1.8 and .9", "kinematic.zeta_sld", line="zeta_sld"),
     texts("missing", "keys without which a free element has no linear check", "kinematic.missing"),
     list_quantity("checks", "the rows of the table of methods", CHECK),
-    list_quantity("reactions", "what holds the wall, where its strength is known, the weakest first", REACTION),
 )
 """Quantities read from Assessment with closed forms."""
 

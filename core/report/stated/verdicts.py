@@ -1,8 +1,11 @@
 """Quantities of the verdict of a wall, of its sensitivities and of its variants."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
+from core.case.register import MECHANISMS
 from core.codes.assumption import DisplayValue
+from core.report.stated.checks import REACTION
 from core.report.stated.quantity import (
     Quantity,
     flag,
@@ -10,11 +13,13 @@ from core.report.stated.quantity import (
     mapping_quantity,
     number,
     object_quantity,
+    rebase_group,
     text,
     texts,
     whole,
 )
 from core.report.verdict_words import outcome_of
+from core.study.register import Looked, make_register
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, governing_check_of_wall, hinge_location
 from core.text.sentence import Sentence
@@ -28,6 +33,14 @@ SENTENCE_QUANTITIES = (
     text("text_en", "in English", lambda said: said.text("en")),
 )
 """Quantities read from Sentence."""
+
+
+def _why(language: str) -> Callable[[Looked], str]:
+    def read(looked: Looked) -> str:
+        why = looked.row.why
+        return why.text(language) if isinstance(why, Sentence) else why
+
+    return read
 
 
 def _in_english(value: DisplayValue) -> float | str:
@@ -132,10 +145,6 @@ class VerdictSource:
         self.verdict = self.governing.required_assessment.verdict
         self.check = governing_check_of_wall(self.governing)
 
-    @property
-    def hinges(self) -> list[WallResult]:
-        return [self.result.walls[k] for k in self.one.results]
-
     def text(self, language: str) -> str:
         return self.verdict.text(language, self.one.title, hinge_location(self.governing))
 
@@ -175,15 +184,30 @@ VERDICT = (
     ),
     list_quantity("notes", "what a reader may pass over", SENTENCE_QUANTITIES, "verdict.notes"),
     list_quantity(
-        "hinges",
-        "all hinges and mechanisms, the worst first",
+        "mechanisms",
+        "the register: every mechanism it may have, those looked at the worst first",
         (
-            number("hinge_m", "m", "height above the base", "part.hinge"),
-            text("mechanism", "mechanism"),
-            text("code", "outcome", "required_assessment.verdict.code"),
-            number("zeta_e", "-", "zeta_E", "required_assessment.verdict.zeta_e"),
-            text("check", "check that decides", "required_assessment.verdict.governing"),
+            text("name", ", ".join(MECHANISMS), "row.name"),
+            text("status", "looked_at, not_possible, not_looked_at or set_aside", "row.status"),
+            number("from_m", "m", "height above the base from which it moves", "row.low"),
+            number("to_m", "m", "and up to which", "row.high"),
+            number("hinge_m", "m", "hinge about which it turns, null where it bends", "row.hinge"),
+            text("direction", "outward, inward, both, or an angle in plan", "row.direction"),
+            text("why_it", "why it is not possible, or what is missing, in Italian", _why("it")),
+            text("why_en", "in English", _why("en")),
+            *rebase_group(
+                lambda looked: looked.result and looked.result.required_assessment,
+                (
+                    text("code", "outcome, null of what is not looked at", "verdict.code"),
+                    number("zeta", "-", "zeta_E", "verdict.zeta_e"),
+                    text("check", "check that decides", "verdict.governing"),
+                    list_quantity(
+                        "reactions", "what its holds take, where their strength is known, the weakest first", REACTION
+                    ),
+                ),
+            ),
         ),
+        lambda of: make_register(of.result, of.one),
     ),
     mapping_quantity(
         "states",

@@ -8,7 +8,7 @@ import pytest
 
 from core.case.above_hinge import cut_above_hinge
 from core.case.held_top import mirror_inward
-from core.case.hinges import make_wall_parts
+from core.case.hinges import make_wall_parts, turns_above_ties
 from core.case.rules import parse_case
 from core.case.spans_between_ties import cut_span, find_bending_spans, multiplier_at_yield
 from core.codes.vertical_bending import bending
@@ -75,7 +75,6 @@ def test_that_what_is_above_the_tie_stands_on_the_stretch_below_it():
     ("loads", "changes"),
     [
         ((ROOF, {**TIE, "slack_mm": 2.0}), {}),
-        ((ROOF, {**TIE, "h_m": 1.2}), {}),  # too stocky to bend
         ((ROOF, TIE, {"kind": "thrust", "kn_m": 1.0, "h_m": 3.0}), {}),
         (
             (ROOF, TIE),
@@ -87,6 +86,12 @@ def test_that_where_it_cannot_bend_a_strong_tie_is_refused(loads, changes):
     with pytest.raises(InputError) as refused:
         wall_of(*loads, **changes)
     assert refused.value.code == "tie_too_strong"
+
+
+def test_that_a_wall_too_stocky_to_bend_below_a_strong_tie_turns_above_it():
+    wall = wall_of(ROOF, {**TIE, "h_m": 1.2})
+    assert find_bending_spans(wall) == () and turns_above_ties(wall, 0.0)
+    assert [part.hinge for part in make_wall_parts(0, wall, None)] == [0.0, 1.2]
 
 
 def test_that_random_ties_are_accepted_where_the_wall_turns_or_bends_and_more_steel_never_lifts_bending():

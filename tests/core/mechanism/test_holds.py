@@ -65,7 +65,7 @@ def test_that_no_strength_is_asked_for_that_the_demand_does_not_need():
     strip = strip_of(wall)
     moving = MovingStrip(strip, lowest_hinge(strip))
     asked = reaction_of_top(Sections(wall), moving, 0.1)
-    assert 0.0 < asked < 0.15 * moving.start
+    assert 0.0 < asked < 0.15 * moving.starts[0]
     assert limits(hold=at_top(3.0, 1.001e-3 * asked))[TOP, "outward"].push == pytest.approx(0.1, rel=0.02)
 
 

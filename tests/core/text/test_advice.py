@@ -19,7 +19,7 @@ LIFTING = re.compile(
 STATES = {
     "arch_bar",
     "ends_fail",
-    "hold_of_bending",
+    "hold_not_counted",
     "arch_tie",
     "arch_without_thrust",
     "arch_parts",

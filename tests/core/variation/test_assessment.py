@@ -279,10 +279,10 @@ def test_that_a_restraint_left_out_or_without_evidence_has_no_reason():
 
 def test_that_a_restraint_without_which_the_wall_was_not_followed_turns_what_passes_until_it_is_shown():
     """Without histories nothing says what holds a wall that is free; 60 kN/m at its inner face would overturn it."""
-    bare = WALL | {"hold": behind("")}
+    held, bare = WALL | {"hold": behind("opening", to_m=4.0)}, WALL | {"hold": behind("", to_m=4.0)}
     falls = {"load": [FLOOR | {"h_m": 4.0, "d_m": 0.4}], "unloaded_confirmed": False}
     for scene, code in ((scene_of, "restraint_unfollowed"), (None, "restraint_stands")):
-        for wall, shown in ((bare, False), (WALL, True)):
+        for wall, shown in ((bare, False), (held, True)):
             if scene:
                 found = assess(scene(wall, {"ag_g": 0.02, "soil_factor": 1.2, "zeta_target": 1.0}))
             else:

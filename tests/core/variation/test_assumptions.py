@@ -55,7 +55,10 @@ def table(monkeypatch):
     def rows(*inputs, zeta=1.2, dynamic=None, spread=None, wall=None, by_default=False, demand=None):
         ag = LINEAR / zeta
         asked = {"ag_g": ag, "soil_factor": 1.0} | (demand or {})
-        scene = quick_scene(QUICK | (wall or {}), {key: value for key, value in asked.items() if value is not None})
+        leans = {"hold": behind("opening", to_m=4.0)}
+        scene = quick_scene(
+            QUICK | leans | (wall or {}), {key: value for key, value in asked.items() if value is not None}
+        )
         if dynamic is not None:
 
             def said(model, motions, there):
@@ -235,7 +238,7 @@ WALL = {
     "mechanism": "one_sided",
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
-    "hold": behind(),
+    "hold": behind(to_m=6.0),
     "unloaded_confirmed": True,
 }
 SPECTRUM = {"code": "EN1998", "type": 1, "soil": "B"}
@@ -343,7 +346,7 @@ def test_that_a_two_sided_wall_declared_held_is_shown_as_a_free_element():
 def test_that_a_participation_below_that_of_the_clause_is_shown_with_it():
     """C7.2.10: gamma psi = 9/7 z/H_b."""
     modes = [{"period_s": 0.26, "damping": 0.10, "participation": 0.3}]
-    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45}
+    wall = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.45, "hold": behind(to_m=3.0)}
     found = made(wall, building={"height_m": 9.0, "storeys": 3, "modes": modes}, records=False)
     said = lift(found, "lift_participation")
     assert said["expected"] == pytest.approx(9.0 / 7.0 * 6.0 / 9.0)
@@ -377,7 +380,7 @@ def test_that_generated_motions_are_named_and_natural_ones_are_not():
 def test_that_the_friction_of_return_walls_does_not_make_q_2_agree_with_the_histories():
     """The histories know no friction: where q = 2 passes by it alone, they stand alone until it is justified."""
     across = {"number": 4, "thickness_m": 0.6, "brick_height_m": 0.25, "brick_length_m": 0.2}
-    wall = {"return_walls": across, "length_m": 4.0, "thickness_m": 0.75, "hold": behind("opening")}
+    wall = {"return_walls": across, "length_m": 4.0, "thickness_m": 0.75, "hold": behind("opening", to_m=6.0)}
     demand = {"ag_g": 0.17}
     found = made(wall, demand)
     checks = {check.name: check for check in found.checks}
@@ -398,7 +401,7 @@ def test_that_a_larger_q_is_not_said_of_a_check_that_takes_none():
     assert lift(found, "lift_q_code") is None
 
 
-ABOVE = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.35}
+ABOVE = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.35, "hold": behind(to_m=3.0)}
 TESTED = {"confidence_factor": 1.0, "knowledge_level": "LC3", "investigations": "flat jacks"}
 
 

@@ -16,7 +16,7 @@ WALL = {
     "mechanism": "one_sided",
     "base_z_m": 0.0,
     "unit_weight_kn_m3": 18.0,
-    "hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}],
+    "hold": [{"kind": "contact", "to_m": 3.0, "evidence": {"kind": "drawing"}}],
     "hinge_heights": "base",
 }
 DEMAND = {"ag_g": 0.14, "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.35, "soil": "B", "topography": "T1"}}

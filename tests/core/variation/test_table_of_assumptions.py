@@ -26,15 +26,15 @@ from core.variation.evaluate import evaluate
 from core.variation.favourable_site import favourable_demand
 from tests.clauses_alone import parse_case
 from tests.core.ooxml.writers import WRITERS, workbook
-from tests.holds import at_top
+from tests.holds import at_top, behind
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
 WALL = {"name": "w", "height_m": 4.0, "thickness_m": 0.45, "mechanism": "one_sided", "base_z_m": 0.0}
-WALL |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "opening"}}]}
+WALL |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "to_m": 4.0, "evidence": {"kind": "opening"}}]}
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 0.0}
 PARAPET |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 1000.0, "unloaded_confirmed": True}
 LONE = {"name": "l", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
-LONE |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}]}
+LONE |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "to_m": 6.0, "evidence": {"kind": "drawing"}}]}
 LONE |= {"unloaded_confirmed": True}
 LOADED = {key: value for key, value in LONE.items() if key != "unloaded_confirmed"} | {"hinge_heights": "base"}
 HELD = {"name": "v", "height_m": 3.5, "thickness_m": 0.15, "mechanism": "vertical_bending", "base_z_m": 0.0}
@@ -189,6 +189,7 @@ def test_that_without_records_the_worse_of_displacement_check_and_histories_deci
     for _ in range(30):
         height = round(float(draw.uniform(3.0, 9.0)), 2)
         wall = WALL | {"height_m": height, "thickness_m": round(height / float(draw.uniform(7.0, 13.0)), 2)}
+        wall |= {"hold": behind("opening", to_m=height)}
         demand = {"ag_g": 0.25, "spectrum": NTC}
         found = evaluate(scene_of(wall | {"unloaded_confirmed": True}, demand), other=False)
         alone = evaluate(found.scene.without_records(), other=False)
@@ -200,7 +201,7 @@ def test_that_without_records_the_worse_of_displacement_check_and_histories_deci
 
 
 def test_that_histories_switched_off_are_a_row_and_turn_what_they_would_not_pass(whole_set, row_of_histories):
-    wall = WALL | {"height_m": 6.0, "thickness_m": 0.9, "unloaded_confirmed": True}
+    wall = WALL | {"height_m": 6.0, "thickness_m": 0.9, "hold": behind(to_m=6.0), "unloaded_confirmed": True}
     off = {"analysis": {"histories": False}}
     for ag in (0.2, 0.19, 0.21, 0.22, 0.23, 0.18, 0.24):
         demand = {"ag_g": float(round(ag, 2)), "spectrum": NTC}
@@ -474,6 +475,7 @@ def test_that_of_many_walls_the_table_is_left_out_where_no_row_changes_the_outco
         height = round(float(draw.uniform(2.5, 9.0)), 2)
         given = {"name": f"w{k}", "height_m": height, "thickness_m": round(height / float(draw.uniform(4.0, 12.0)), 2)}
         load = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.1, "h_m": height, "mass": "none"}
+        given |= {"hold": behind("opening", to_m=height)}
         walls.append(WALL | given | ({"load": [load]} if k % 2 else {"unloaded_confirmed": True}))
     demand = {"ag_g": 0.15, "soil_factor": 1.2}
     case = rules.parse_case({"wall": walls, "demand": demand})

@@ -1,0 +1,137 @@
+"""The register of a wall: every mechanism it may have is looked at, not possible and why, or not looked at."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from core.case.directions import falls_sooner_along
+from core.case.hinges import WallPart, find_unchecked_hinges, leaves_end_open
+from core.case.hold import AT_A_HEIGHT
+from core.case.site import Building
+from core.case.spans_between_ties import leaves_stretches_out
+from core.case.wall import ARCHES, Wall
+from core.text.sentence import Key, Number, Sentence, sentence
+
+OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING = "overturning", "vertical_bending", "horizontal_bending"
+CORNER, LEAF, PART_ABOVE, DIRECTION = "corner", "leaf", "part_above", "direction"
+
+MECHANISMS = (OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING, CORNER, LEAF, PART_ABOVE, DIRECTION)
+"""Mechanisms out of plane that a wall may have (Circolare 7/2019 C8.7.1.2.1.1): none is without a row."""
+
+LOOKED_AT, NOT_POSSIBLE, NOT_LOOKED_AT, SET_ASIDE = "looked_at", "not_possible", "not_looked_at", "set_aside"
+"""Status of a row. What is not looked at leaves an outcome that passes indicative; the engineer may set it aside."""
+
+
+class RegisterRow(NamedTuple):
+    """A mechanism of a wall.
+
+    low, high : heights above the base between which it moves [m], high None of a wall without a height
+    hinge : about which it turns [m], None where it bends
+    direction : outward, inward, both, or an angle in plan from that of the thickness; "" of what is not looked at
+    why : it is not possible, what is missing, or the engineer's reason
+    """
+
+    name: str
+    status: str
+    low: float = 0.0
+    high: float | None = None
+    hinge: float | None = None
+    direction: str = ""
+    why: Sentence | str = ""
+
+
+def row_of_part(part: WallPart, mechanism: str) -> RegisterRow:
+    """The row of what is looked at. mechanism : one of those of the wall of the part"""
+    body = part.body
+    top = body.height_m if part.top is None else part.top
+    if part.wall.bends:
+        name = HORIZONTAL_BENDING if part.wall.mechanism == ARCHES else VERTICAL_BENDING
+        return RegisterRow(name, LOOKED_AT, part.hinge, top, None, "inward" if part.inward else "both")
+    name, direction = OVERTURNING, "outward" if mechanism == "one_sided" else "both"
+    if part.wall.corner is not None:
+        name = CORNER
+    elif part.aspect and body.leans:
+        name = LEAF
+    elif part.aspect:
+        name, direction = DIRECTION, part.aspect
+    elif mechanism not in body.mechanisms():
+        name = PART_ABOVE
+    return RegisterRow(name, LOOKED_AT, part.hinge, top, part.hinge, direction)
+
+
+def row_passed_over(part: WallPart, mechanism: str) -> RegisterRow:
+    """The row of a part of an anchored wall of the way it does not take (`best_way`)."""
+    why = sentence("mechanism", "holds_give_way" if part.held else "anchors_hold")
+    return row_of_part(part, mechanism)._replace(status=NOT_POSSIBLE, why=why)
+
+
+def find_left_out(part: WallPart, building: Building | None) -> tuple[Sentence, ...]:
+    """Sentences on what nobody looks at of the wall, or of its leaf, that a part is the whole of."""
+    if part.hinge > 0.0 or (part.top is not None and not part.held):
+        return ()
+    rows = _rows_left(part.body, building, part.aspect)
+    return tuple(row.why for row in rows if row.status == NOT_LOOKED_AT and isinstance(row.why, Sentence))
+
+
+def other_rows(parts: Iterable[WallPart], looked: set[str], building: Building | None) -> list[RegisterRow]:
+    """Rows of a wall beside those of what is looked at. parts : of the wall; looked : names that have a row"""
+    whole = [part for part in parts if part.hinge == 0.0 and part.top is None]
+    rows = list(dict.fromkeys(row for part in whole for row in _rows_left(part.body, building, part.aspect)))
+    known, wall = looked | {row.name for row in rows}, whole[0].body
+    return rows + [
+        RegisterRow(name, NOT_POSSIBLE, 0.0, wall.height_m, why=sentence("mechanism", _why_not(name, wall)))
+        for name in MECHANISMS
+        if name not in known
+    ]
+
+
+def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[RegisterRow]:
+    """What is not looked at of a wall about its base, or is set aside with a reason. aspect : of `WallPart`"""
+    rows: list[RegisterRow] = []
+    set_aside = wall.justification.hinge_heights if wall.justification else ""
+
+    def leave(name: str, why: Sentence, reason: str = "", hinge: float | None = None) -> None:
+        status = SET_ASIDE if reason else NOT_LOOKED_AT
+        rows.append(RegisterRow(name, status, hinge or 0.0, wall.height_m, hinge, "", reason or why))
+
+    keys = {"key": Key("hinge_heights"), "reasons": Key("justification")}
+    if leaves_stretches_out(wall):
+        leave(VERTICAL_BENDING, sentence("reason", "stretches_left_out", **keys), set_aside)
+    if aspect:
+        return rows
+    if heights := find_unchecked_hinges(wall, building):
+        code = "heights_left_out" if wall.hinge_heights is None else "hinges_as_asked"
+        left = tuple(Number(height, ".4g") for height in heights)
+        keys = {"key": Key("hinge_heights"), "building": Key("[building]")}
+        leave(OVERTURNING, sentence("reason", code, heights=left, **keys), set_aside, heights[0])
+    if leaves_end_open(wall, building):
+        keys = {"key": Key("to_m"), "building": Key("[building]")}
+        leave(PART_ABOVE, sentence("reason", "end_left_open", **keys))
+    if wall.leans and wall.held_by is not None and wall.held_by.only_there:
+        leave(HORIZONTAL_BENDING, sentence("reason", "no_arch", arch=Key("spacing_m")))
+    if falls_sooner_along(wall):
+        leave(DIRECTION, sentence("reason", "direction_left_out", key=Key("all_directions")))
+    return rows
+
+
+def _why_not(name: str, wall: Wall) -> str:
+    """Code of why a wall has not a mechanism that is neither looked at nor left out."""
+    if name == OVERTURNING:
+        return "turns_as_corner" if wall.corner else "held_at_ends" if wall.mechanism == ARCHES else "held_at_top"
+    if name == VERTICAL_BENDING and any(load.is_tie for load in wall.load):
+        return "turns_before"
+    if name == VERTICAL_BENDING and wall.hold:
+        return "turns_outward_before" if all(hold.kind in AT_A_HEIGHT for hold in wall.hold) else "held_all_along"
+    if name == PART_ABOVE and wall.bends:
+        return "held_at_top"
+    if name == PART_ABOVE and wall.hold:
+        return "held_to_top"
+    if name == DIRECTION and (wall.hold or wall.bends):
+        return "held_in_plane"
+    return {
+        VERTICAL_BENDING: "stands_free",
+        HORIZONTAL_BENDING: "no_cross_walls",
+        CORNER: "no_corner",
+        LEAF: "one_leaf",
+        PART_ABOVE: "stands_free",
+        DIRECTION: "stockier_along",
+    }[name]

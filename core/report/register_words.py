@@ -1,0 +1,60 @@
+"""The register of the mechanisms of a wall in words, for note and window."""
+
+from collections.abc import Callable
+
+from core.case.register import NOT_POSSIBLE
+from core.report.verdict_words import names_in
+from core.study.register import Looked, make_register
+from core.study.results import StudyResult, WallVerdict
+from core.text.sentence import Sentence, format_number, localized, word
+
+COLUMN_SHARES = (2.2, 2.2, 1.3, 0.7, 3.6)
+"""Widths of the columns."""
+
+
+def column_heads(say: Callable[..., str]) -> list[str]:
+    """Heads of the columns of `describe_rows`."""
+    return [say("Mechanism"), say("Where"), say("Direction"), "ζ_E", say("Outcome, or what is missing")]
+
+
+def describe_rows(result: StudyResult, verdict: WallVerdict, say: Callable[..., str], language: str) -> list[list[str]]:
+    """A row for each mechanism of a wall that is looked at, set aside or left out."""
+    rows = (looked for looked in make_register(result, verdict) if looked.row.status != NOT_POSSIBLE)
+    return [_cells(looked, say, language) for looked in rows]
+
+
+def not_possible(result: StudyResult, verdict: WallVerdict, language: str) -> str:
+    """The mechanisms a wall cannot have, each with its reason, in one sentence; "" of one that may have all."""
+    rows = [looked.row for looked in make_register(result, verdict) if looked.row.status == NOT_POSSIBLE]
+    each = "; ".join(f"{_word(row.name, language)} ({_words(row.why, language)})" for row in rows)
+    return f"{_word(NOT_POSSIBLE, language).capitalize()}: {each}." if each else ""
+
+
+def describe_lines(result: StudyResult, verdict: WallVerdict, say: Callable[..., str], language: str) -> list[str]:
+    """The register as lines: what is looked at, set aside and left out, and at last what is not possible."""
+    rows = describe_rows(result, verdict, say, language)
+    lines = [", ".join(filter(None, (*head, zeta and f"ζ {zeta}", outcome))) for *head, zeta, outcome in rows]
+    return [line for line in (*lines, not_possible(result, verdict, language)) if line]
+
+
+def _cells(looked: Looked, say: Callable[..., str], language: str) -> list[str]:
+    row, where = looked.row, ""
+    if row.hinge is not None:
+        where = say("hinge at +{height} m", height=format_number(row.hinge, ".4g", language))
+    elif row.high is not None:
+        where = f"{format_number(row.low, '.4g', language)}–{format_number(row.high, '.4g', language)} m"
+    direction = row.direction if row.direction.endswith("°") or not row.direction else _word(row.direction, language)
+    if looked.result is None:
+        outcome = f"{_word(row.status, language)}: {_words(row.why, language)}"
+        return [_word(row.name, language), where, direction, "", outcome]
+    verdict = looked.result.required_assessment.verdict
+    zeta = format_number(verdict.zeta_e, ".2f", language)
+    return [_word(row.name, language), where, direction, zeta, word(verdict.code, language)]
+
+
+def _word(code: str, language: str) -> str:
+    return localized("mechanism", code, language)
+
+
+def _words(why: Sentence | str, language: str) -> str:
+    return why.text(language, names_in(language)) if isinstance(why, Sentence) else why

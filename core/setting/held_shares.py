@@ -1,0 +1,57 @@
+"""What a hold between two stretches of a wall has for each of them: shared out as the demand asks for it."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from core.case.held_top import mirror_inward
+from core.case.hold import Hold
+from core.case.wall import Wall
+from core.codes.demand import SeismicDemand
+from core.codes.kinematic import KinematicAnalysis
+from core.codes.vertical_bending import lowest_hinge
+from core.ground.ground_motion import GroundMotion
+from core.known import require_value
+from core.mechanism.bending_reactions import MovingStrip
+from core.mechanism.holds import force_on_top, reaction_of_foot
+from core.mechanism.sections import Sections
+from core.units import G
+from core.wall.bending import strip_of
+
+
+def find_push(kinematic: KinematicAnalysis, demand: SeismicDemand, motions: Sequence[GroundMotion]) -> float | None:
+    """alpha of a demand [-]: the largest push of the clauses and of the motions, never divided by q; None where none is
+    known."""
+    pushes = [] if kinematic.acceleration_demand is None else [kinematic.acceleration_demand]
+    pushes += [demand.scaling(motion) * motion.pga for motion in motions]
+    return max(pushes) / G if pushes else None
+
+
+def share_out(stretches: Sequence[Wall], pushes: Sequence[float]) -> list[Wall]:
+    """The held stretches of a wall, from below, with what each hold between two of them stands shared out in the
+    proportion of what both ask for under the demand. pushes : alpha of the demand of each [-]"""
+    shared = list(stretches)
+    for n, (lower, upper) in enumerate(pairwise(stretches)):
+        below, above = _largest(lower, pushes[n], force_on_top), _largest(upper, pushes[n + 1], reaction_of_foot)
+        (top,), (foot,) = _holds_at(lower, lower.height_m), _holds_at(upper, 0.0)
+        stands = require_value(top.out_kn_m) + require_value(foot.out_kn_m)
+        of_top = below / (below + above)
+        shared[n] = _replace_strength(shared[n], top, of_top * stands)
+        shared[n + 1] = _replace_strength(shared[n + 1], foot, (1.0 - of_top) * stands)
+    return shared
+
+
+def _holds_at(stretch: Wall, height: float | None) -> list[Hold]:
+    return [hold for hold in stretch.hold if hold.h_m == height]
+
+
+def _replace_strength(stretch: Wall, hold: Hold, strength: float) -> Wall:
+    holds = (replace(own, out_kn_m=strength) if own.h_m == hold.h_m else own for own in stretch.hold)
+    return replace(stretch, hold=tuple(holds))
+
+
+def _largest(stretch: Wall, push: float, reaction: Callable[[Sections, MovingStrip, float], float]) -> float:
+    """The larger reaction of a stretch to its two sides [N/m]."""
+    sides = stretch.in_si, mirror_inward(stretch).in_si
+    strips = [(wall, strip_of(wall)) for wall in sides]
+    return max(reaction(Sections(wall), MovingStrip(strip, lowest_hinge(strip)), push) for wall, strip in strips)

@@ -1,0 +1,26 @@
+"""The register of the mechanisms of a wall beside their results."""
+
+from typing import NamedTuple
+
+from core.case.register import NOT_POSSIBLE, RegisterRow, other_rows, row_of_part, row_passed_over
+from core.study.results import StudyResult, WallResult, WallVerdict
+
+
+class Looked(NamedTuple):
+    """A row of the register of a wall. result : of what is looked at, None of another row"""
+
+    row: RegisterRow
+    result: WallResult | None = None
+
+
+def make_register(result: StudyResult, verdict: WallVerdict) -> list[Looked]:
+    """Every mechanism of a wall: those that are looked at, the worst first, what is left out or set aside, and what is
+    not possible."""
+    results = [result.walls[k] for k in verdict.results]
+    origin = results[0].part.origin
+    passed_over = [wall for wall in result.walls if wall.part.origin == origin and wall not in results]
+    rows = [Looked(row_of_part(wall.part, wall.mechanism), wall) for wall in results]
+    rest = [row_passed_over(wall.part, wall.mechanism) for wall in passed_over]
+    names = {looked.row.name for looked in rows} | {row.name for row in rest}
+    rest += other_rows([wall.part for wall in (*results, *passed_over)], names, result.case.building)
+    return rows + [Looked(row) for row in sorted(rest, key=lambda row: row.status == NOT_POSSIBLE)]

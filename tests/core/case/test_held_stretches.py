@@ -1,0 +1,210 @@
+"""Floors that are shown to hold a wall outward: the stretches between them, what each hold has for them, and the better
+of being held and of turning."""
+
+import random
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+
+from core.case.held_stretches import find_held_stretches
+from core.case.held_top import mirror_inward
+from core.case.hinges import count_wall_parts, make_wall_parts
+from core.case.loads import Load
+from core.codes.outcomes import way_key
+from core.codes.vertical_bending import lowest_hinge
+from core.errors import InputError
+from core.mechanism.bending_reactions import MovingStrip
+from core.mechanism.holds import FOOT, TOP, force_on_top, limits_of_bending, reaction_of_foot
+from core.mechanism.rest import Reach, holds_at_rest, simple_reactions
+from core.mechanism.sections import Sections
+from core.setting.held_shares import share_out
+from core.study.run import run
+from core.wall.bending import strip_of
+from tests.clauses_alone import parse_case
+from tests.conftest import ROOT
+from tests.holds import behind
+
+SPECTRUM = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "C", "topography": "T1"}
+BUILDING = {"height_m": 10.2, "storeys": 3, "period_s": 0.30}
+FLOOR = {"kind": "vertical", "kn_m": 14.0, "d_m": 0.45, "mass": "none"}
+FACADE = {"name": "f", "mechanism": "one_sided", "height_m": 10.2, "thickness_m": 0.65, "length_m": 12.0}
+FACADE |= {"base_z_m": 0.0, "masonry": "solid_brick", "unit_weight_kn_m3": 18.0}
+FACADE |= {"load": [FLOOR | {"h_m": 3.4}, FLOOR | {"h_m": 6.8}, FLOOR | {"h_m": 10.1, "kn_m": 8.0}]}
+SHOWN = {"kind": "calculation", "reference": "A1"}
+
+
+def anchored(*strengths, heights=(3.4, 6.8, 10.1), shown=SHOWN):
+    """Floors with what they stand [kN/m], None of contact alone."""
+    pairs = zip(heights, strengths, strict=True)
+    return [
+        {"kind": "floor", "h_m": h, "evidence": shown} | ({} if stands is None else {"out_kn_m": stands})
+        for h, stands in pairs
+    ]
+
+
+def wall_of(hold, **keys):
+    wall = FACADE | {"hold": hold} | keys
+    return parse_case(
+        {"building": BUILDING, "wall": [{key: value for key, value in wall.items() if value != ()}]}
+    ).wall[0]
+
+
+def verdict_of(hold, ag=0.12, **keys):
+    demand = {"ag_g": ag, "spectrum": SPECTRUM}
+    case = parse_case({"building": BUILDING, "demand": demand, "wall": [FACADE | {"hold": hold} | keys]})
+    result = run(case, base_dir=ROOT)
+    (verdict,) = result.verdicts
+    return result, verdict, result.walls[verdict.governing].assessment.verdict
+
+
+def moving(stretch):
+    strip = strip_of(stretch.in_si)
+    return Sections(stretch.in_si), MovingStrip(strip, lowest_hinge(strip))
+
+
+@pytest.mark.shows("free.anchored")
+def test_that_three_floors_make_three_stretches_and_what_each_stands_is_shared_out_whole():
+    wall = wall_of(anchored(30.0, 30.0, 15.0))
+    stretches = find_held_stretches(wall)
+    assert [(stretch.low, stretch.high) for stretch in stretches] == [(0.0, 3.4), (3.4, 6.8), (6.8, 10.1)]
+    tops = [stretch.wall.in_si.declared for stretch in stretches]
+    assert tops[0].foot_strength is None and tops[2].strength == 15e3
+    for lower, upper in pairwise(tops):
+        assert lower.strength + upper.foot_strength == pytest.approx(30e3)
+    # 10 cm of wall above the roof: 1.17 kN/m, by its lever over the last stretch
+    assert tops[2].beside == pytest.approx(1170.0 * 3.35 / 3.3)
+    assert tops[0].beside == 0.0
+
+
+def test_that_at_rest_the_holds_take_what_simple_beams_hand_to_them():
+    """Two ways: the stretches each with its own sections, and the whole wall over its holds by statics; what overhangs
+    relieves the hold below, which is not counted."""
+    wall = wall_of(anchored(30.0, 30.0, 15.0))
+    alpha, stretches = 0.05, [stretch.wall for stretch in find_held_stretches(wall)]
+    whole = simple_reactions(Sections(wall.in_si), [3.4, 6.8, 10.1], alpha)
+    taken = [0.0, 0.0, 0.0]
+    for n, stretch in enumerate(stretches):
+        sections, strip = moving(stretch)
+        taken[n] += force_on_top(sections, strip, alpha)
+        if n:
+            taken[n - 1] += reaction_of_foot(sections, strip, alpha)
+    assert taken == pytest.approx(whole, rel=1e-3) and taken[1] > whole[1]
+    assert [taken[0], taken[2]] == pytest.approx([whole[0], whole[2]], rel=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_that_no_push_the_shares_hold_is_more_than_a_wall_at_rest_can_take(seed):
+    """Random walls against the polygons of what each section can carry, which know nothing of shares."""
+    draw = random.Random(seed)
+    looked = 0
+    for _ in range(12):
+        thickness = round(draw.uniform(0.35, 0.8), 2)
+        storeys, height = draw.choice((2, 3)), round(draw.uniform(2.9, 3.6), 2)
+        heights = [round(height * (n + 1), 2) for n in range(storeys)]
+        strengths = [round(draw.uniform(2.0, 30.0), 1) for _ in heights]
+        loads = [
+            FLOOR
+            | {"h_m": h, "kn_m": round(draw.uniform(4.0, 25.0), 1), "d_m": round(draw.uniform(0.4, 0.7) * thickness, 3)}
+            | {"mass": draw.choice(("none", "horizontal"))}
+            for h in heights
+        ]
+        over = draw.choice((0.0, 0.2))
+        keys = {"height_m": heights[-1] + over, "thickness_m": thickness, "load": loads}
+        try:
+            wall = wall_of(anchored(*strengths, heights=heights), **keys)
+        except InputError:
+            continue
+        stretches = [stretch.wall for stretch in find_held_stretches(wall)]
+        pushes = [draw.uniform(0.1, 1.0) for _ in stretches]
+        shared = share_out(stretches, pushes)
+        sums = [one.in_si.declared for one in shared]
+        totals = [a.strength + b.foot_strength for a, b in pairwise(sums)] + [sums[-1].strength]
+        assert totals == pytest.approx([1e3 * stands for stands in strengths])
+        limits = [limit for one in shared for limit in limits_of_bending(one.in_si, moving(one)[1], "outward")]
+        starts = [float(moving(one)[1].multiplier()) for one in shared]
+        push = 0.999 * min(*(limit.push for limit in limits), *starts)
+        reaches = [Reach(h, 1e3 * stands, 1e9) for h, stands in zip(heights, strengths, strict=True)]
+        assert push <= 0.0 or holds_at_rest(Sections(wall.in_si), reaches, push)
+        assert {limit.hold for limit in limits} >= {TOP, FOOT}
+        looked += 1
+    assert looked > 5
+
+
+def test_that_a_hold_is_shared_out_in_the_proportion_of_what_both_stretches_ask_for():
+    stretches = [stretch.wall for stretch in find_held_stretches(wall_of(anchored(30.0, 30.0, 15.0)))]
+    shared = share_out(stretches, [0.15, 0.3, 0.9])
+    sides = [[one.in_si, mirror_inward(one).in_si] for one in stretches]
+
+    def largest(n, alpha, reaction):
+        strips = [(Sections(side), MovingStrip(strip_of(side), lowest_hinge(strip_of(side)))) for side in sides[n]]
+        return max(reaction(*strip, alpha) for strip in strips)
+
+    below, above = largest(1, 0.3, force_on_top), largest(2, 0.9, reaction_of_foot)
+    assert shared[1].in_si.declared.strength == pytest.approx(30e3 * below / (below + above))
+
+
+@pytest.mark.shows("free.anchored")
+def test_that_a_stronger_hold_never_worsens_an_outcome_and_one_of_nearly_nothing_is_contact():
+    _, contact, bare = verdict_of(anchored(None, None, None))
+    ways = []
+    for factor in (1e-4, 0.1, 0.3, 0.6, 1.0, 2.0):
+        result, verdict, _ = verdict_of(anchored(30.0 * factor, 30.0 * factor, 15.0 * factor))
+        outcomes = [result.walls[k].assessment.verdict for k in verdict.results]
+        ways.append(way_key((one.code, one.zeta_e, 1.0) for one in outcomes))
+        assert {result.walls[k].part.held for k in verdict.results} == {factor > 0.6}
+    assert ways == sorted(ways) and ways[0] == ways[3] < ways[-1]
+    assert ways[0][2] == bare.zeta_e == contact.zeta_least
+
+
+def test_that_strength_has_to_be_shown_at_both_ends_of_a_stretch():
+    strong, drawn = anchored(60.0, 60.0, 30.0), {"kind": "drawing", "reference": "A1"}
+    _, _, outcome = verdict_of(strong, ag=0.05)
+    assert outcome.code in ("verified", "verified_refined", "not_activated"), outcome.limits
+    for k in range(3):
+        some = [hold | ({"evidence": drawn} if n == k else {}) for n, hold in enumerate(strong)]
+        stretches = find_held_stretches(wall_of(some))
+        shown = [stretch.wall.held_by.evidence is not None for stretch in stretches]
+        assert shown == [n not in (k, k + 1) for n in range(3)]
+
+
+def test_that_a_part_above_the_highest_anchor_is_looked_at_whichever_way_the_wall_is_held():
+    for strength in (40.0, 1e-3):
+        result, verdict, _ = verdict_of(anchored(strength, strength, heights=(3.4, 6.8)), ag=0.05)
+        walls = [result.walls[k] for k in verdict.results]
+        above = [wall for wall in walls if wall.part.hinge == 6.8 and wall.part.turns]
+        assert [wall.mechanism for wall in above] == ["two_sided"]
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        {"load": [*FACADE["load"], {"kind": "thrust", "kn_m": 1.0, "h_m": 5.0}]},
+        {"thickness_m": 1.2},
+        {"return_walls": {"number": 2, "thickness_m": 0.3, "brick_height_m": 0.1, "brick_length_m": 0.3}},
+        {"mechanism": "two_sided", "load": (), "unloaded_confirmed": True},
+    ],
+)
+def test_that_a_strength_that_cannot_be_counted_is_refused_and_not_passed_over(keys):
+    with pytest.raises(InputError) as refused:
+        wall_of(anchored(30.0, 30.0, 15.0), **keys)
+    assert refused.value.code == "hold_not_counted" and refused.value.key == "out_kn_m"
+
+
+def test_that_a_thrust_at_a_floor_is_what_its_hold_takes_first_and_a_tie_there_adds_to_it():
+    wall = wall_of(anchored(30.0, 30.0, 15.0))
+    push, tie = Load("thrust", 4.0, 6.8), Load("tie", 10.0, 6.8, bar_length_m=9.0)
+    for more, stands in (([push], 26e3), ([tie], 40e3), ([push, tie], 36e3), ([replace(tie, slack_mm=1.0)], 30e3)):
+        stretches = find_held_stretches(replace(wall, load=(*wall.load, *more)))
+        lower, upper = (stretch.wall.in_si.declared for stretch in stretches[1:])
+        assert lower.strength + upper.foot_strength == pytest.approx(stands)
+
+
+def test_that_the_count_of_the_parts_of_a_wall_is_theirs():
+    building = parse_case({"building": BUILDING, "wall": [FACADE | {"hold": behind()}]}).building
+    for hold in (anchored(30.0, 30.0, 15.0), anchored(None, None, 15.0), anchored(9.0, None, heights=(3.4, 6.8))):
+        for mechanism in ("one_sided", "both"):
+            loads = {} if mechanism == "one_sided" else {"load": (), "unloaded_confirmed": True}
+            wall = wall_of(hold, mechanism=mechanism, **loads)
+            parts = make_wall_parts(0, wall, building)
+            assert count_wall_parts(wall, building) == sum(len(part.wall.mechanisms()) for part in parts)
