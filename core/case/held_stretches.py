@@ -1,4 +1,4 @@
-"""The stretches of a wall between floors that are shown to hold it outward: it bends between them."""
+"""The stretches of a wall between floors and ties that are shown to hold it outward: it bends between them."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -16,6 +16,10 @@ SAME_HEIGHT = 0.05
 """Holds and loads nearer than this act at one height [m]."""
 
 
+BRITTLE = 0.5
+"""Share of its force that a tie which stands no elongation beyond yield holds: the wall runs into it."""
+
+
 class HeldStretch(NamedTuple):
     """A stretch of a wall between two heights above its base [m], as a wall of its own."""
 
@@ -30,17 +34,28 @@ def stands_outward(hold: Hold) -> bool:
 
 
 def find_held_stretches(wall: Wall) -> list[HeldStretch]:
-    """The stretches of an anchored wall from its base to its highest hold. A hold between two of them is shared out in
-    the proportion of the weights that hang on it from below and from above: what both ask for is then within what it
-    stands. Empty where a thrust acts between two holds, a stretch is too stocky to bend, or the wall is not one sheet.
-    """
-    if not wall.leans or not any(stands_outward(hold) for hold in wall.hold) or not _is_cut(wall):
+    """The stretches of a wall that is held by floors, or by ties at two heights, from its base to its highest hold. A
+    hold between two of them is shared out in the proportion of the weights that hang on it from below and from above:
+    what both ask for is then within what it stands; a thrust at a hold, or above the highest, is taken first. Empty
+    where a thrust acts between two holds, no stretch is slender
+    enough to bend, or the wall is not one sheet."""
+    taut = {load.h_m for load in wall.load if load.is_tie and not load.slack_mm}
+    held = len(taut) > 1 or any(stands_outward(hold) for hold in wall.hold)
+    sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
+    if not held or not sized or not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
         return []
     levels = _levels(wall)
     pairs = list(pairwise([0.0, *(require_value(level.h_m) for level in levels)]))
-    least = MIN_SLENDERNESS * require_value(wall.thickness)
-    if any(high - low < least or not bears_stretch(wall, low, high) for low, high in pairs):
+    if not pairs or not all(bears_stretch(wall, low, high) for low, high in pairs):
         return []
+    for load in wall.load:
+        if load.kind == "thrust":
+            n = next((n for n, (_, high) in enumerate(pairs) if abs(load.h_m - high) <= SAME_HEIGHT), None)
+            n = len(pairs) - 1 if n is None and load.h_m > pairs[-1][1] else n
+            if n is None:
+                return []
+            taken = max(0.0, require_value(load.kn_m)) * max(1.0, _lever(load.h_m, *pairs[n]))
+            levels[n] = replace(levels[n], out_kn_m=max(0.0, require_value(levels[n].out_kn_m) - taken))
     stretches = [cut_span(wall, low, high) for low, high in pairs]
     halves = [0.5 * _pushed(stretch) for stretch in stretches]
     beside = [_beside(wall, *pair, last=pair == pairs[-1]) for pair in pairs]
@@ -85,11 +100,13 @@ def _outward_holds(wall: Wall) -> Iterator[Hold]:
             yield hold if hold.shows_strength else replace(hold, evidence=None)
     for load, in_si in zip(wall.load, wall.in_si.loads, strict=True):
         if load.is_tie and not load.slack_mm:
-            yield Hold("tie", h_m=load.h_m, out_kn_m=1e-3 * in_si.force, evidence=shown_ties(wall))
+            share = 1.0 if require_value(in_si.tie).stands_more else BRITTLE
+            yield Hold("tie", h_m=load.h_m, out_kn_m=share * 1e-3 * in_si.force, evidence=shown_ties(wall))
 
 
 def _levels(wall: Wall) -> list[Hold]:
-    """One hold for each height, from below: what all there stand, less the thrusts they take first."""
+    """One hold for each height, from below: what all there stand. Of two between which the wall is too stocky to bend
+    the stronger one counts alone."""
     levels: list[Hold] = []
     for hold in sorted(_outward_holds(wall), key=lambda hold: require_value(hold.h_m)):
         if levels and require_value(hold.h_m) - require_value(levels[-1].h_m) <= SAME_HEIGHT:
@@ -98,25 +115,19 @@ def _levels(wall: Wall) -> list[Hold]:
             levels[-1] = replace(levels[-1], out_kn_m=both, evidence=shown)
         else:
             levels.append(hold)
-    thrusts = [load for load in wall.load if load.kind == "thrust"]
-    for n, level in enumerate(levels):
-        pressed = sum(require_value(load.kn_m) for load in thrusts if _acts_at(load.h_m, level))
-        levels[n] = replace(level, out_kn_m=max(0.0, require_value(level.out_kn_m) - max(0.0, pressed)))
-    return levels
+    return _spaced(levels, MIN_SLENDERNESS * require_value(wall.thickness))
 
 
-def _acts_at(height: float, level: Hold) -> bool:
-    return abs(height - require_value(level.h_m)) <= SAME_HEIGHT
-
-
-def _is_cut(wall: Wall) -> bool:
-    """Whether a wall is one sheet, with no thrust but at its holds."""
-    sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
-    if not sized or wall.return_walls is not None or not is_one_sheet(wall):
-        return False
-    levels = list(_outward_holds(wall))
-    thrusts = [load.h_m for load in wall.load if load.kind == "thrust"]
-    return all(any(_acts_at(height, level) for level in levels) for height in thrusts)
+def _spaced(levels: list[Hold], least: float) -> list[Hold]:
+    """The holds that are at least so far apart [m], the base among them."""
+    spaced: list[Hold] = []
+    for level in levels:
+        height = require_value(level.h_m)
+        if spaced and height - require_value(spaced[-1].h_m) < least:
+            spaced[-1] = max(spaced[-1], level, key=lambda hold: require_value(hold.out_kn_m))
+        elif height >= least:
+            spaced.append(level)
+    return spaced
 
 
 def _beside(wall: Wall, low: float, high: float, last: bool) -> float:
@@ -124,8 +135,13 @@ def _beside(wall: Wall, low: float, high: float, last: bool) -> float:
     the wall carries there, and above the highest hold all that is above, by its lever over the stretch."""
     carried = [load for load in wall.load if load.is_weight and load.pushes]
     above = [load for load in carried if (load.h_m >= high if last else abs(load.h_m - high) <= SAME_HEIGHT)]
-    beside = sum(require_value(load.kn_m) * max(1.0, (load.h_m - low) / (high - low)) for load in above)
+    beside = sum(require_value(load.kn_m) * max(1.0, _lever(load.h_m, low, high)) for load in above)
     if last and require_value(wall.height_m) > high:
         weight, _, over = weight_above(wall, high)
-        beside += weight * (high + over - low) / (high - low)
+        beside += weight * _lever(high + over, low, high)
     return beside
+
+
+def _lever(height: float, low: float, high: float) -> float:
+    """Share of a force at a height that goes to the upper end of a stretch, a simple beam."""
+    return (height - low) / (high - low)

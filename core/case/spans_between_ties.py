@@ -28,26 +28,22 @@ above 1."""
 
 
 def find_bending_spans(wall: Wall, hinges: Sequence[float] = ()) -> tuple[tuple[float, float], ...]:
-    """Stretches (from, to) above the base [m] in which a wall on one side bends below its ties, where these hold about
-    as much as one block takes, or more: from its base, each tie, each weight (which holds only what is below it) and
-    each of its hinges about which it is no longer one block to each tie above, over ties too weak for what the
-    stretches beside them push with; at least MIN_SLENDERNESS times as high as thick. What it drags along of return
-    walls is no part of them. Empty of a corner and of oblique or dragged solids, and where more than weights acts
-    below the highest tie (a thrust there goes into it), or a tie has slack."""
+    """Stretches (from, to) above the base [m] in which a wall on one side bends below a tie that holds about as much as
+    one block takes, or more, whatever holds it between: from its base, each tie, each weight (which holds only what is
+    below it) and each of its hinges about which it is no longer one block to each tie above; at least MIN_SLENDERNESS
+    times as high as thick. What it drags along of return walls is no part of them. Empty of a corner and of oblique or
+    dragged solids, and where more than weights acts below the highest tie (a thrust there goes into it), or a tie has
+    slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
     if not ties or wall.thickness is None or has_load_below_tie(wall):
         return ()
     if not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
         return ()
     least = MIN_SLENDERNESS * wall.thickness
-    holds = _holds(wall, ties)
     opened = (hinge for hinge in hinges if hinge < ties[-1] and opens_inside(wall, hinge))
     lows = sorted({0.0, *ties, *opened, *(load.h_m for load in wall.load if load.is_weight)})
     pairs = tuple(
-        (low, high)
-        for high in ties
-        for low in lows
-        if high - low >= least and bears_stretch(wall, low, high) and not any(low < hold < high for hold in holds)
+        (low, high) for high in ties for low in lows if high - low >= least and bears_stretch(wall, low, high)
     )
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
@@ -133,25 +129,6 @@ def bears_stretch(wall: Wall, low: float, high: float) -> bool:
 def _sheet(wall: Wall) -> tuple:
     """The solids of a wall without wedges; none of a rectangle."""
     return tuple(part for part in wall.parts if not part.wedge)
-
-
-def _holds(wall: Wall, ties: Sequence[float]) -> list[float]:
-    """Heights of the ties that stand what the stretches below and above push on them with as they bend [m]."""
-    heights, strength = [], {}
-    for load, one in zip(wall.load, wall.in_si.loads, strict=True):
-        if load.is_tie:
-            strength[load.h_m] = strength.get(load.h_m, 0.0) + one.force
-    for below, height, above in zip([0.0, *ties], ties, ties[1:], strict=False):
-        least = MIN_SLENDERNESS * require_value(wall.thickness)
-        if min(height - below, above - height) < least:
-            continue
-        if not (bears_stretch(wall, below, height) and bears_stretch(wall, height, above)):
-            continue
-        lower, upper = (bending(cut_span(wall, *pair).in_si) for pair in ((below, height), (height, above)))
-        pushes = lower.top_force + upper.alpha0 * upper.mass * G - upper.top_force
-        if strength[height] >= pushes:
-            heights.append(height)
-    return heights
 
 
 def multiplier_at_yield(wall: Wall) -> float:

@@ -26,8 +26,8 @@ def describe_rows(result: StudyResult, verdict: WallVerdict, say: Callable[..., 
 def not_possible(result: StudyResult, verdict: WallVerdict, language: str) -> str:
     """The mechanisms a wall cannot have, each with its reason, in one sentence; "" of one that may have all."""
     rows = [looked.row for looked in make_register(result, verdict) if looked.row.status == NOT_POSSIBLE]
-    each = "; ".join(f"{_word(row.name, language)} ({_words(row.why, language)})" for row in rows)
-    return f"{_word(NOT_POSSIBLE, language).capitalize()}: {each}." if each else ""
+    each = dict.fromkeys(f"{_word(row.name, language)} ({_words(row.why, language)})" for row in rows)
+    return f"{_word(NOT_POSSIBLE, language).capitalize()}: {'; '.join(each)}." if each else ""
 
 
 def describe_lines(result: StudyResult, verdict: WallVerdict, say: Callable[..., str], language: str) -> list[str]:

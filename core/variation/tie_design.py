@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from core.boundary import find_boundary, written_up
+from core.case.held_stretches import find_held_stretches
 from core.case.load_rules import carries
 from core.case.loads import Load
 from core.case.spans_between_ties import cut_span, find_bending_spans
@@ -212,11 +213,22 @@ def _as_it_bends(
 def _bending(base: Hinge, force: float, height: float, cancelled: Callable[[], bool]) -> tuple[bool | None, Any]:
     """(whether the wall holds as it bends below its ties and one of this force, its lowest zeta there); None where it
     does not bend, or what moves it there is not known. Raises Cancelled."""
-    zetas = []
     if base.height > 0.0:
         return None, None
-    for low, high in find_bending_spans(tied := add_tie(base.scene.wall, force, height)):
-        part = cut_span(tied, low, high)
+    tied = add_tie(base.scene.wall, force, height)
+    below = _holds_as_it_bends(base, [cut_span(tied, *span) for span in find_bending_spans(tied)], cancelled)
+    if below[0] is not False:
+        return below
+    between = _holds_as_it_bends(base, [stretch.wall for stretch in find_held_stretches(tied)], cancelled)
+    return below if between[0] is None else between
+
+
+def _holds_as_it_bends(
+    base: Hinge, parts: list[Wall], cancelled: Callable[[], bool]
+) -> tuple[bool | None, float | None]:
+    """`_bending` of some stretches."""
+    zetas = []
+    for part in parts:
         try:
             evaluation = evaluate(
                 base.scene.replace_parts(wall=part, mechanism=part.mechanism), other=False, cancelled=cancelled

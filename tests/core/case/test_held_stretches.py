@@ -180,7 +180,7 @@ def test_that_a_part_above_the_highest_anchor_is_looked_at_whichever_way_the_wal
     "keys",
     [
         {"load": [*FACADE["load"], {"kind": "thrust", "kn_m": 1.0, "h_m": 5.0}]},
-        {"thickness_m": 1.2},
+        {"thickness_m": 3.6},
         {"return_walls": {"number": 2, "thickness_m": 0.3, "brick_height_m": 0.1, "brick_length_m": 0.3}},
         {"mechanism": "two_sided", "load": (), "unloaded_confirmed": True},
     ],
@@ -194,10 +194,42 @@ def test_that_a_strength_that_cannot_be_counted_is_refused_and_not_passed_over(k
 def test_that_a_thrust_at_a_floor_is_what_its_hold_takes_first_and_a_tie_there_adds_to_it():
     wall = wall_of(anchored(30.0, 30.0, 15.0))
     push, tie = Load("thrust", 4.0, 6.8), Load("tie", 10.0, 6.8, bar_length_m=9.0)
-    for more, stands in (([push], 26e3), ([tie], 40e3), ([push, tie], 36e3), ([replace(tie, slack_mm=1.0)], 30e3)):
+    ductile = replace(tie, elongation_m=0.3)
+    for more, stands in (
+        ([push], 26e3),
+        ([tie], 35e3),
+        ([ductile], 40e3),
+        ([push, ductile], 36e3),
+        ([replace(tie, slack_mm=1.0)], 30e3),
+    ):
         stretches = find_held_stretches(replace(wall, load=(*wall.load, *more)))
         lower, upper = (stretch.wall.in_si.declared for stretch in stretches[1:])
         assert lower.strength + upper.foot_strength == pytest.approx(stands)
+
+
+TIED = [
+    {"kind": "tie", "kn_m": 20.0, "h_m": height, "bar_length_m": 9.0, "elongation_m": 0.3}
+    for height in (3.4, 6.8, 10.0)
+]
+
+
+@pytest.mark.shows("free.anchored")
+def test_that_ties_at_several_floors_hold_a_wall_between_them_as_far_as_the_demand_asks():
+    """Weak ties give what the wall has by turning, or bending over them; strong ones every stretch of its own."""
+    ways = []
+    for factor in (0.02, 0.2, 1.0, 3.0):
+        loads = [*FACADE["load"], *({**tie, "kn_m": factor * tie["kn_m"]} for tie in TIED)]
+        result, verdict, _ = verdict_of(behind(to_m=10.2), ag=0.25, load=loads)
+        outcomes = [result.walls[k].assessment.verdict for k in verdict.results]
+        ways.append(way_key((one.code, one.zeta_e, 1.0) for one in outcomes))
+    assert ways == sorted(ways) and ways[0] < ways[2] <= ways[3]
+    assert all(result.walls[k].part.held for k in verdict.results)
+
+
+def test_that_of_two_holds_between_which_a_wall_cannot_bend_the_stronger_one_counts():
+    for strengths, heights in (((20.0, 30.0, 9.0), [3.4, 6.8]), ((20.0, 5.0, 9.0), [3.4, 7.5])):
+        wall = wall_of(anchored(*strengths, heights=(3.4, 6.8, 7.5)))
+        assert [stretch.high for stretch in find_held_stretches(wall)] == heights
 
 
 def test_that_the_count_of_the_parts_of_a_wall_is_theirs():

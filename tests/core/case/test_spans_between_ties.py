@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from core.case.above_hinge import cut_above_hinge
+from core.case.held_stretches import find_held_stretches
 from core.case.held_top import mirror_inward
 from core.case.hinges import make_wall_parts, turns_above_ties
 from core.case.rules import parse_case
@@ -130,13 +131,15 @@ def test_that_what_shows_the_cross_walls_does_not_show_the_tie():
 
 
 def test_that_a_weak_tie_between_holds_nothing():
-    """A wire at mid-height does not make two stretches of one; bars that stand the push of both do."""
+    """A wire at mid-height does not make two stretches of one, nor do bars before it is looked at what they stand."""
     wire = {**TIE, "h_m": 3.25, "bar": {**BAR, "number": 1, "diameter_mm": 4.0}}
     assert (0.0, 6.5) in find_bending_spans(wall_of(ROOF, TIE, wire))
     assert (0.0, 6.5) in find_bending_spans(
         wall_of(ROOF, TIE, {"kind": "tie", "kn_m": 0.01, "h_m": 3.25, "bar_length_m": 8.0})
     )
-    assert find_bending_spans(wall_of(ROOF, TIE, {**TIE, "h_m": 3.25})) == ((0.0, 3.25), (3.25, 6.5))
+    strong = wall_of(ROOF, TIE, {**TIE, "h_m": 3.25})
+    assert find_bending_spans(strong) == ((0.0, 3.25), (0.0, 6.5), (3.25, 6.5))
+    assert [(held.low, held.high) for held in find_held_stretches(strong)] == [(0.0, 3.25), (3.25, 6.5)]
 
 
 def test_that_more_steel_gives_no_lower_zeta_by_a_jump():
