@@ -1,6 +1,7 @@
 """The rules of a case: every one is applied here and in values.py, once, for file, table and form."""
 
 import math
+from collections.abc import Iterable
 from dataclasses import fields, replace
 from typing import NamedTuple
 
@@ -53,8 +54,14 @@ def parse_case(table: dict) -> Case:
     """The case of a mapping with the keys of the file; every rule is checked here, once."""
     table = expand_variants(table)
     case = parse_sections(table)
-    walls = [parse_wall_entry(entry, k) for k, entry in enumerate(tables_of(table, "wall"))]
+    walls = [parse_wall_entry(entry, k) for k, entry in enumerate(_walls_of(table))]
     return replace_walls(case, walls) if case.walls is None else replace(case, wall=tuple(walls))
+
+
+def _walls_of(table: dict) -> Iterable:
+    """The tables of the walls of a case: beside a demand with the mechanism of those that leave it out."""
+    walls = tables_of(table, "wall")
+    return map(Wall.with_mechanism, walls) if "demand" in table or "site" in table else walls
 
 
 def parse_sections(table: dict) -> Case:
@@ -152,7 +159,7 @@ def parse_draft(table: dict) -> Case:
     return Case(
         title=parse_value(field_of(Case, "title"), table.get("title", "Ribalta")),
         report=one(Report, "report") or Report(),
-        wall=tuple(part(Wall, entry, "wall") for entry in tables_of(table, "wall")),
+        wall=tuple(part(Wall, entry, "wall") for entry in _walls_of(table)),
         record=tuple(part(Record, entry, "record") for entry in tables_of(table, "record")),
         generate=one(Generate, "generate"),
         select=one(Select, "select"),

@@ -2,6 +2,7 @@
 
 import json
 import math
+from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
@@ -120,6 +121,14 @@ class Wall(Shaped):
         if masonry and "unit_weight_kn_m3" not in table and masonry.weight[0] == masonry.weight[1]:
             table = table | {"unit_weight_kn_m3": masonry.weight[0]}
         return table
+
+    @staticmethod
+    def with_mechanism(table):
+        """The keys of a wall with the mechanism that is left out: one-sided where something holds it, else two-sided;
+        what it may do beside that is found (`core.case.register`)."""
+        if not isinstance(table, Mapping) or "mechanism" in table:
+            return table
+        return {**table, "mechanism": "one_sided" if table.get("hold") else "two_sided"}
 
     @property
     def title(self) -> str:

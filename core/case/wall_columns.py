@@ -197,7 +197,7 @@ class Head(NamedTuple):
         try:
             if self.with_demand and "base_z_m" not in table:
                 raise InputError("base_missing", key="base_z_m")
-            return parse_wall(table)
+            return parse_wall(Wall.with_mechanism(table) if self.with_demand else table)
         except InputError as error:
             where = _column_of(error, keys)
             here = place("row", n=number)

@@ -14,6 +14,8 @@ from core.case.register import (
     VERTICAL_BENDING,
     find_left_out,
 )
+from core.case.rules import parse_draft
+from core.case.wall_table import parse_wall_rows
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.errors import InputError
 from core.report import json_report
@@ -186,3 +188,21 @@ def test_that_only_a_part_about_the_base_says_what_is_left_out():
     wall = parse_case({"building": BUILDING, "wall": [WALL | {"hold": between()}]}).wall[0]
     parts = make_wall_parts(0, wall, None)
     assert [code for part in parts for code in find_left_out(part, None)] == list(find_left_out(parts[0], None))
+
+
+@pytest.mark.shows("free.found")
+def test_that_the_mechanism_need_not_be_given_beside_a_demand():
+    """With a hold a wall leans, without one it stands free; a bare block without a demand says what it does."""
+    bare = {key: value for key, value in WALL.items() if key not in ("mechanism", "hold")}
+    table = {"demand": {"ag_g": 0.02, "spectrum": SPECTRUM}, "building": BUILDING}
+    held = bare | {"hold": floors(3.0, 9.0)}
+    for wall, found in ((bare, "two_sided"), (held, "one_sided"), (held | {"mechanism": "both"}, "both")):
+        assert parse_case(table | {"wall": [wall]}).wall[0].mechanism == found
+        assert parse_draft(table | {"wall": [wall]}).wall[0].mechanism == found
+    with pytest.raises(InputError) as refused:
+        parse_case({"wall": [bare]})
+    assert refused.value.key == "mechanism"
+    rows = [["name", "base_z_m", "height_m", "thickness_m", "hold1_kind", "hold1_h_m"]]
+    rows += [["a", "0", "3", "0.3", "floor", "3"], ["b", "0", "3", "0.3", "", ""]]
+    walls = parse_wall_rows(rows, with_demand=True)
+    assert [wall.mechanism for wall in walls] == ["one_sided", "two_sided"]
