@@ -10,7 +10,7 @@ from app.look.drawing import WallDrawing
 from app.look.in_place import InPlaceEditor
 from core.known import require_value
 
-DRAWN = {"height": "height_m", "thickness": "thickness_m", "load": "kn_m", "hinge": "hinge_heights"}
+DRAWN = {"height": "height_m", "thickness": "thickness_m", "load": "kn_m", "hold": "h_m", "hinge": "hinge_heights"}
 """What is drawn -> the key whose value stands there."""
 
 

@@ -33,12 +33,13 @@ from app.input.wall_text import (
 )
 from app.look import theme
 from app.look.case_views import CaseViews
-from app.look.drawing import WallDrawing, mechanism_icon
+from app.look.drawing import DRAGGED, WallDrawing, mechanism_icon
 from app.look.labels import PlainLabel, escape_html
 from app.look.language import FORM_NAMES, current_language, describe_message, number, quoted_from_file, result_word, tr
 from app.look.section import FoldingSection, unfold_to
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
+from core.case.hold import AT_A_HEIGHT
 from core.case.loads import ReturnWalls
 from core.case.solids import InPlan
 from core.case.values import check_value
@@ -380,10 +381,12 @@ class WallForm(WallEditor):
         """The field of what is drawn, in front."""
         if kind == "load" and self.wall is not None and k >= len(self.wall.load):  # of a floor
             kind = "height"
-        if kind == "load":
-            self.loads.list.setCurrentRow(k)
+        if kind in DRAGGED:
+            {"load": self.loads, "hold": self.holds}[kind].list.setCurrentRow(k)
+        heights = [field for field in self.holds.fields if field.key in ("h_m", "to_m")]
         field = {
             "load": self.loads.fields[1],
+            "hold": next((field for field in heights if not field.isHidden()), self.fields["name"]),
             "hinge": self.fields["hinge_heights"],
             "height": next((field for field in self.shape_fields if not field.isHidden()), self.fields["name"]),
             "thickness": next((field for field in self.shape_fields[1:] if not field.isHidden()), self.fields["name"]),
@@ -391,12 +394,13 @@ class WallForm(WallEditor):
         unfold_to(field)
         return field
 
-    def _moved_in_drawing(self, k: int, height: float) -> None:
-        """A load was dragged to another height."""
-        wall = self.wall
-        if wall is not None and k < len(wall.load) and height > 0.0:
-            loads = tuple(replace(one, h_m=height) if n == k else one for n, one in enumerate(wall.load))
-            self.edit("load", k, "h_m", load=loads)
+    def _moved_in_drawing(self, kind: str, k: int, height: float) -> None:
+        """A load or a hold was dragged to another height."""
+        if self.wall is None or k >= len(entries := getattr(self.wall, kind)) or height <= 0.0:
+            return
+        key = "to_m" if kind == "hold" and entries[k].kind not in AT_A_HEIGHT else "h_m"
+        moved = tuple(replace(entry, **{key: height}) if n == k else entry for n, entry in enumerate(entries))
+        self.edit(kind, k, key, **{kind: moved})
 
     def add(self) -> None:
         self.session.add_walls([Wall(tr("wall"), "")])  # mechanism and sizes are to be given

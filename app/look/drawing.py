@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
+from app.look.hold_drawing import HoldMark, find_hold_marks, paint_holds, write_strengths
 from app.look.language import number
 from app.look.plan_drawing import paint_plan, plan_of
 from core.case.detached import make_leaf_wall
@@ -128,23 +129,26 @@ MIN_WIDTH_OF_ELEVATION = 420
 HEIGHT_STEP = 0.05
 """Heights a load is dragged to are multiples of it [m]."""
 
+DRAGGED = "load", "hold"
+"""What can be dragged."""
+
 
 class WallDrawing(QWidget):
     """A wall to scale; `rotation` turns it. For a general block its equivalent rectangle.
 
     with_sizes : with its dimensions, and with places to click and to drag
-    picked(kind, k) : the k-th load or hinge was clicked, or "height", "thickness"; asked(kind, k, area) : twice, to be
-    changed there; moved(k, height) : the k-th load was dragged to this height [m]
+    picked(kind, k) : the k-th load, hold or hinge was clicked, or "height", "thickness"; asked(kind, k, area) : twice,
+    to be changed there; moved(kind, k, height) : the k-th load or hold was dragged to this height [m]
     """
 
     picked = Signal(str, int)
     asked = Signal(str, int, QRectF)
-    moved = Signal(int, float)
+    moved = Signal(str, int, float)
 
     def __init__(self, with_sizes: bool = True):
         super().__init__()
         self.spots: list[tuple[QRectF, str, int]] = []
-        self.dragged: int | None = None
+        self.dragged: tuple[str, int] | None = None
         self.scale = 1.0
         self.base_y = 0.0
         self.setMouseTracking(with_sizes)
@@ -155,6 +159,7 @@ class WallDrawing(QWidget):
         self.held: HeldTop | None = None
         self.plan: Bending | None = None
         self.arrows: list[Arrow] = []
+        self.holds: list[HoldMark] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
         self.body = BodyDrawing()
@@ -171,7 +176,7 @@ class WallDrawing(QWidget):
         if (wall, list(hinges)) == self._shown:
             return
         self._shown = wall, list(hinges)
-        self.size_of, self.arrows, self.bars, self.hinges = None, [], [], list(hinges)
+        self.size_of, self.arrows, self.holds, self.bars, self.hinges = None, [], [], [], list(hinges)
         self.body = BodyDrawing()
         self.bent, self.held, self.plan, self.leaf = Bent(), None, None, ()
         if wall is not None:
@@ -182,6 +187,7 @@ class WallDrawing(QWidget):
                 thickness = wall.thickness or block.thickness
                 self.size_of = (height, thickness, wall.setback if wall.height_m else 0.0)
                 self.one_sided = wall.mechanism == "one_sided"
+                self.holds = find_hold_marks(wall, height)
                 self.body = BodyDrawing(wall, 0.5 * thickness)
                 self.arrows = arrows_of(wall, all_loads, height, thickness)
                 self.plan = plan_of(wall) if self.with_sizes else None
@@ -223,10 +229,8 @@ class WallDrawing(QWidget):
 
         painter.setPen(QPen(quiet, 1.5))
         painter.drawLine(QPointF(8, base.y()), QPointF(self.width() - 8, base.y()))
-        if self.one_sided and not self.body.cracks:
-            behind = place(QPointF(-0.5 * thickness, 0.0)).x() - 3
-            area = QRectF(behind - 8, base.y() - scale * height, 8, scale * height)
-            painter.fillRect(area, QColor(theme.current.grid))
+        if not self.body.cracks:
+            paint_holds(painter, self.holds, place, height, thickness)
         painter.setPen(QPen(ink, 1.4))
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(70)
@@ -258,6 +262,7 @@ class WallDrawing(QWidget):
         if self.rotation == 0.0 and not self.bars:
             self._draw_arrows(painter, place)
         if self.with_sizes:
+            write_strengths(painter, self.holds, place, thickness)
             self._zetas(painter, place)
             self._sizes(painter, place, height, thickness, setback)
             self._mark_spots(place, height, thickness, setback)
@@ -296,6 +301,9 @@ class WallDrawing(QWidget):
         half = 0.5 * thickness
         for arrow in self.arrows:
             around([(x - half, y) for x, y in arrow.points], "load", arrow.load)
+        for mark in self.holds:
+            if mark.hold is not None:
+                self.spots.append((mark.area(place, -half).adjusted(-3.0, -3.0, 0.0, 3.0), "hold", mark.hold))
         for k, (level, _) in enumerate(self.hinges or [(0.0, None)]):
             around([(half - setback, level)], "hinge", k)
         edge = self.body.ends[1]
@@ -309,18 +317,18 @@ class WallDrawing(QWidget):
         spot = self._spot_at(event.position())
         if self.dragged is not None and event.buttons() & Qt.MouseButton.LeftButton:
             height = HEIGHT_STEP * round((self.base_y - event.position().y()) / self.scale / HEIGHT_STEP)
-            self.moved.emit(self.dragged, round(max(HEIGHT_STEP, min(height, require_value(self.size_of)[0])), 3))
+            self.moved.emit(*self.dragged, round(max(HEIGHT_STEP, min(height, require_value(self.size_of)[0])), 3))
         elif spot is None:
             self.unsetCursor()
         else:
-            load = spot[0] == "load"
-            self.setCursor(Qt.CursorShape.SizeVerCursor if load else Qt.CursorShape.PointingHandCursor)
+            drags = spot[0] in DRAGGED
+            self.setCursor(Qt.CursorShape.SizeVerCursor if drags else Qt.CursorShape.PointingHandCursor)
 
     def mousePressEvent(self, event) -> None:
         spot = self._spot_at(event.position()) if self.with_sizes else None
         if spot is None:
             return
-        self.dragged = spot[1] if spot[0] == "load" else None
+        self.dragged = spot if spot[0] in DRAGGED else None
         self.picked.emit(*spot)
 
     def mouseDoubleClickEvent(self, event) -> None:

@@ -15,6 +15,7 @@ from PySide6.QtGui import QColor, QImage
 from PySide6.QtTest import QTest
 
 from app.look import theme
+from app.look.hold_drawing import HoldMark, find_hold_marks
 from app.shell import client_view, finder, first_run
 from core.case.hold import Hold
 from core.case.loads import Load
@@ -98,7 +99,7 @@ def test_that_the_drawing_leads_to_fields_and_drags_a_load(opened, application):
     level = QPoint(at.x(), round(drawing.base_y - 4.2 * drawing.scale))
     event = QTest.mouseMove
     event(drawing, level)
-    drawing.dragged = 0
+    drawing.dragged = "load", 0
     from PySide6.QtCore import QEvent
     from PySide6.QtGui import QMouseEvent
 
@@ -109,6 +110,34 @@ def test_that_the_drawing_leads_to_fields_and_drags_a_load(opened, application):
     assert opened.session.case.wall[0].load[0].h_m == pytest.approx(4.2, abs=0.05)
     opened.session.undo()
     assert opened.session.case.wall[0].load[0].h_m == 3.0
+
+
+@pytest.mark.shows("window.drawing")
+def test_that_holds_are_drawn_where_they_are_dashed_without_a_strength_and_dragged(opened, application):
+    held = Hold("floor", h_m=3.0, out_kn_m=12.0), Hold("roof", h_m=6.0), Hold("contact", from_m=1.0, to_m=2.0)
+    opened.session.edit_wall(0, mechanism="one_sided", hold=held)
+    opened.navigator.show_input("wall", 0)
+    application.processEvents()
+    drawing = opened.walls.drawing
+    drawing.grab()
+    assert [(mark.low, mark.high, mark.words) for mark in drawing.holds] == [
+        (3.0, 3.0, "12 kN/m"),
+        (6.0, 6.0, ""),
+        (1.0, 2.0, ""),
+    ]
+    area = next(area for area, *spot in drawing.spots if spot == ["hold", 1])
+    assert abs(area.center().y() - (drawing.base_y - 6.0 * drawing.scale)) < 1.0
+    drawing.picked.emit("hold", 1)
+    assert opened.walls.holds.list.currentRow() == 1 and opened.walls.sections["holds"].head.isChecked()
+    drawing.moved.emit("hold", 1, 5.5)
+    drawing.moved.emit("hold", 2, 2.5)
+    assert [(hold.h_m, hold.to_m) for hold in opened.session.case.wall[0].hold] == [
+        (3.0, None),
+        (5.5, None),
+        (None, 2.5),
+    ]
+    assert find_hold_marks(replace(opened.session.case.wall[0], hold=()), 7.0) == [HoldMark(None, 0.0, 7.0)]
+    assert find_hold_marks(replace(opened.session.case.wall[0], mechanism="two_sided"), 7.0) == []
 
 
 @pytest.mark.shows("window.client")

@@ -150,7 +150,7 @@ class Walk:
         wall = self.window.walls.wall
         if wall is not None and wall.load and wall.height_m:
             height = wall.height_m * self.chance.random()
-            self.window.walls.drawing.moved.emit(self.chance.randrange(len(wall.load)), height)
+            self.window.walls.drawing.moved.emit("load", self.chance.randrange(len(wall.load)), height)
 
     def change_the_shape(self):
         """An opening, a step or a solid more, another one, one less; corners; wedges, with their length."""

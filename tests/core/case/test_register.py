@@ -202,7 +202,7 @@ def test_that_the_mechanism_need_not_be_given_beside_a_demand():
     with pytest.raises(InputError) as refused:
         parse_case({"wall": [bare]})
     assert refused.value.key == "mechanism"
-    rows = [["name", "base_z_m", "height_m", "thickness_m", "hold1_kind", "hold1_h_m"]]
+    rows = [["name", "base_z_m", "height_m", "thickness_m", "hold1_kind", "hold1_h_m"], ["", "m", "m", "m", "", "m"]]
     rows += [["a", "0", "3", "0.3", "floor", "3"], ["b", "0", "3", "0.3", "", ""]]
     walls = parse_wall_rows(rows, with_demand=True)
     assert [wall.mechanism for wall in walls] == ["one_sided", "two_sided"]
