@@ -58,9 +58,9 @@ def row_of_part(part: WallPart, mechanism: str) -> RegisterRow:
     return RegisterRow(name, LOOKED_AT, part.hinge, top, part.hinge, direction)
 
 
-def row_passed_over(part: WallPart, mechanism: str) -> RegisterRow:
-    """The row of a part of an anchored wall of the way it does not take (`best_way`)."""
-    why = sentence("mechanism", "holds_give_way" if part.held else "anchors_hold")
+def row_passed_over(part: WallPart, mechanism: str, zeta: float | None) -> RegisterRow:
+    """The row of a part of a held wall of the way it does not take (`best_way`). zeta : the lowest of that way"""
+    why = sentence("mechanism", "holds_give_way" if part.held else "anchors_hold", zeta=Number(zeta))
     return row_of_part(part, mechanism)._replace(status=NOT_POSSIBLE, why=why)
 
 

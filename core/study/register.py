@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from core.case.register import NOT_POSSIBLE, RegisterRow, other_rows, row_of_part, row_passed_over
+from core.codes.outcomes import min_if_all_known
 from core.study.results import StudyResult, WallResult, WallVerdict
 
 
@@ -20,7 +21,8 @@ def make_register(result: StudyResult, verdict: WallVerdict) -> list[Looked]:
     origin = results[0].part.origin
     passed_over = [wall for wall in result.walls if wall.part.origin == origin and wall not in results]
     rows = [Looked(row_of_part(wall.part, wall.mechanism), wall) for wall in results]
-    rest = [row_passed_over(wall.part, wall.mechanism) for wall in passed_over]
+    lowest = min_if_all_known(wall.required_assessment.verdict.zeta_e for wall in passed_over)
+    rest = [row_passed_over(wall.part, wall.mechanism, lowest) for wall in passed_over]
     names = {looked.row.name for looked in rows} | {row.name for row in rest}
     rest += other_rows([wall.part for wall in (*results, *passed_over)], names, result.case.building)
     return rows + [Looked(row) for row in sorted(rest, key=lambda row: row.status == NOT_POSSIBLE)]
