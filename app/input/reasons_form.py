@@ -63,7 +63,7 @@ def favourable_wall_keys(case: Case, wall: Wall) -> set[str]:
         or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
         "mass": any(load.kind == "vertical" for load in wall.load),
         "d_m": any(load.kind == "vertical" for load in wall.load),
-        "hinge_heights": wall.hinge_heights is not None,
+        "hinge_heights": wall.hinge_heights is not None or any(load.is_tie for load in wall.load),
         "h_m": any(load.is_weight and is_number(load.h_m) for load in wall.load),
         "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
         "unit_weight_kn_m3": wall.unit_weight_kn_m3 is not None and bool(wall.load),

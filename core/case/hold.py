@@ -12,7 +12,7 @@ AT_A_HEIGHT = "floor", "roof", "ring_beam", "anchor", "tie"
 """Holds that have a height."""
 
 OF_BUILDING = "floor", "roof"
-"""Holds that a building has no higher than it is."""
+"""Holds up to the highest of which what has no end of its own holds a wall."""
 
 BETWEEN = "cross_walls", "buttress"
 """Holds that hold a wall only where they stand along it."""

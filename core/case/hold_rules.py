@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from core.case.held_stretches import find_held_stretches, stands_outward
-from core.case.hold import AT_A_HEIGHT, BETWEEN, OF_BUILDING, STRENGTH, Hold
+from core.case.hold import AT_A_HEIGHT, BETWEEN, STRENGTH, Hold
 from core.case.site import Building
 from core.case.wall import BENDS, Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
@@ -63,12 +63,12 @@ def _check_height(wall: Wall, hold: Hold, here) -> None:
 
 
 def check_holds_of_building(wall: Wall, building: Building | None) -> None:
-    """Raise InputError for a floor or a roof above the building that is to hold the wall."""
+    """Raise InputError for a floor above the building that is to hold the wall; a roof may rise above its height."""
     if building is None or wall.base_z_m is None:
         return
     most = building.height_m - wall.base_z_m
     for n, hold in enumerate(wall.hold, start=1):
-        if hold.kind in OF_BUILDING and hold.h_m is not None and hold.h_m > most * (1.0 + TOP_TOLERANCE):
+        if hold.kind == "floor" and hold.h_m is not None and hold.h_m > most * (1.0 + TOP_TOLERANCE):
             here = (place("wall", name=wall.title), place("hold", n=n))
             raise InputError("hold_above_building", place=here, key="h_m", found=hold.h_m, most=most)
 

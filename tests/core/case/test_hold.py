@@ -53,7 +53,7 @@ def test_that_a_hold_of_every_kind_is_read_and_written_again(kind):
         ({"kind": "contact", "to_m": 6.0}, "hold_outside", "to_m"),
         ({"kind": "anchor", "h_m": 0.5, "out_kn_m": 5.0}, "hold_not_counted", "out_kn_m"),
         ({"kind": "wire"}, "not_accepted", "kind"),
-        ({"kind": "roof", "h_m": 4.5, "base": 5.0}, "hold_above_building", "h_m"),
+        ({"kind": "floor", "h_m": 4.5, "base": 5.0}, "hold_above_building", "h_m"),
         ({"kind": "floor", "h_m": 3.0, "evidence": {"kind": "hearsay"}}, "not_accepted", "kind"),
         ({"kind": "floor", "h_m": 3.0, "evidence": {"kind": "test"}}, "document_reference", "reference"),
     ],
