@@ -1,16 +1,19 @@
 """The stretches of a wall between floors and ties that are shown to hold it outward: it bends between them."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from core.case.hold import AT_A_HEIGHT, Hold, ShareOfHold
-from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, shown_ties, weight_above
+from core.case.hold import AT_A_HEIGHT, Document, Hold, ShareOfHold
+from core.case.loads import Load
+from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
 from core.known import require_value
 from core.units import G
+from core.wall.solids import contact_at
 
 SAME_HEIGHT = 0.05
 """Holds and loads nearer than this act at one height [m]."""
@@ -18,6 +21,10 @@ SAME_HEIGHT = 0.05
 
 BRITTLE = 0.5
 """Share of its force that a tie which stands no elongation beyond yield holds: the wall runs into it."""
+
+
+STUB_PUSH = 1.0
+"""alpha that a part above the highest hold stands which is too stocky to be looked at: more than a floor moves with."""
 
 
 class HeldStretch(NamedTuple):
@@ -37,8 +44,8 @@ def find_held_stretches(wall: Wall) -> list[HeldStretch]:
     """The stretches of a wall that is held by floors, or by ties at two heights, from its base to its highest hold. A
     hold between two of them is shared out in the proportion of the weights that hang on it from below and from above:
     what both ask for is then within what it stands; a thrust at a hold, or above the highest, is taken first. Empty
-    where a thrust acts between two holds, no stretch is slender
-    enough to bend, or the wall is not one sheet."""
+    where a thrust acts between two holds, nothing is behind the wall up to the highest, no stretch is slender enough to
+    bend, the stub above may fall, or the wall is not one sheet."""
     taut = {load.h_m for load in wall.load if load.is_tie and not load.slack_mm}
     held = len(taut) > 1 or any(stands_outward(hold) for hold in wall.hold)
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
@@ -46,24 +53,28 @@ def find_held_stretches(wall: Wall) -> list[HeldStretch]:
         return []
     levels = _levels(wall)
     pairs = list(pairwise([0.0, *(require_value(level.h_m) for level in levels)]))
-    if not pairs or not all(bears_stretch(wall, low, high) for low, high in pairs):
+    behind = [hold.h_m or hold.to_m or math.inf for hold in wall.hold if hold.is_contact]
+    if not pairs or not behind or max(behind) < pairs[-1][1] - SAME_HEIGHT or not _stands_above(wall, pairs[-1][1]):
         return []
-    for load in wall.load:
-        if load.kind == "thrust":
-            n = next((n for n, (_, high) in enumerate(pairs) if abs(load.h_m - high) <= SAME_HEIGHT), None)
-            n = len(pairs) - 1 if n is None and load.h_m > pairs[-1][1] else n
-            if n is None:
-                return []
-            taken = max(0.0, require_value(load.kn_m)) * max(1.0, _lever(load.h_m, *pairs[n]))
-            levels[n] = replace(levels[n], out_kn_m=max(0.0, require_value(levels[n].out_kn_m) - taken))
+    if not all(bears_stretch(wall, low, high) for low, high in pairs):
+        return []
     stretches = [cut_span(wall, low, high) for low, high in pairs]
+    stretches = stretches[:-1] + _bent_above(stretches[-1], wall, pairs[-1][1])
+    shares = _less_thrusts(wall, levels, pairs)
+    return _share_levels(wall, shares, stretches, pairs) if shares and len(stretches) == len(pairs) else []
+
+
+def _share_levels(
+    wall: Wall, levels: list[Hold], stretches: list[Wall], pairs: list[tuple[float, float]]
+) -> list[HeldStretch]:
+    """The stretches with what each hold has for them."""
     halves = [0.5 * _pushed(stretch) for stretch in stretches]
     beside = [_beside(wall, *pair, last=pair == pairs[-1]) for pair in pairs]
     held = []
     for n, ((low, high), stretch) in enumerate(zip(pairs, stretches, strict=True)):
         from_below, from_above = halves[n] + beside[n], sum(halves[n + 1 : n + 2])
         top = _share(levels[n], high - low, from_below / (from_below + from_above), beside[n])
-        foot = ()
+        foot: tuple[ShareOfHold, ...] = ()
         if n > 0:
             under = halves[n - 1] + beside[n - 1]
             foot = (_share(levels[n - 1], 0.0, halves[n] / (under + halves[n])),)
@@ -72,13 +83,49 @@ def find_held_stretches(wall: Wall) -> list[HeldStretch]:
     return held
 
 
+def _less_thrusts(wall: Wall, levels: list[Hold], pairs: list[tuple[float, float]]) -> list[Hold]:
+    """The holds less the thrusts they take first; none where one acts between two, or pulls inward."""
+    left = list(levels)
+    for load in wall.load:
+        if load.kind != "thrust":
+            continue
+        n = next((n for n, (_, high) in enumerate(pairs) if abs(load.h_m - high) <= SAME_HEIGHT), None)
+        n = len(pairs) - 1 if n is None and load.h_m > pairs[-1][1] else n
+        if n is None or require_value(load.kn_m) < 0.0:
+            return []
+        taken = require_value(load.kn_m) * max(1.0, _lever(load.h_m, *pairs[n]))
+        left[n] = replace(left[n], out_kn_m=max(0.0, require_value(left[n].out_kn_m) - taken))
+    return left
+
+
+def _stands_above(wall: Wall, top: float) -> bool:
+    """Whether what is above the highest hold turns about it as a part that is looked at, or is a stub that stands
+    STUB_PUSH."""
+    if _reaches_well_above(wall, top):
+        return True
+    weight, x, over = weight_above(wall, top)
+    above = [load for load in wall.load if load.h_m > top + SAME_HEIGHT]
+    face = (contact_at(wall.parts, top) or (0.0, 0.0))[0] if wall.parts else 0.0
+    held, pushed = weight * (x - face - wall.setback), weight * over
+    for load in above:
+        size, lever = require_value(load.kn_m) if not load.is_tie else 0.0, load.h_m - top
+        held += size * (require_value(load.d_m) - face - wall.setback) if load.is_weight else -size * lever
+        pushed += size * lever if load.is_weight and load.pushes else 0.0
+    return held >= STUB_PUSH * pushed
+
+
+def _reaches_well_above(wall: Wall, top: float) -> bool:
+    """Whether a wall reaches above a height of it by more than it is thick there."""
+    faces = contact_at(wall.parts, top) if wall.parts else None
+    thickness = min(require_value(wall.thickness), faces[1] - faces[0] if faces else math.inf)
+    return require_value(wall.height_m) - top > thickness
+
+
 def highest_anchor(wall: Wall) -> float | None:
-    """Height of the highest hold of an anchored wall that reaches above it by more than it is thick [m], so that the
-    part there turns; None of another wall."""
-    if not (stretches := find_held_stretches(wall)):
-        return None
-    top = stretches[-1].high
-    return top if require_value(wall.height_m) - top > require_value(wall.thickness) else None
+    """Height of the highest hold of an anchored wall that reaches well above it, so that the part there turns [m]; None
+    of another wall."""
+    stretches = find_held_stretches(wall)
+    return stretches[-1].high if stretches and _reaches_well_above(wall, stretches[-1].high) else None
 
 
 def _pushed(stretch: Wall) -> float:
@@ -100,8 +147,37 @@ def _outward_holds(wall: Wall) -> Iterator[Hold]:
             yield hold if hold.shows_strength else replace(hold, evidence=None)
     for load, in_si in zip(wall.load, wall.in_si.loads, strict=True):
         if load.is_tie and not load.slack_mm:
-            share = 1.0 if require_value(in_si.tie).stands_more else BRITTLE
-            yield Hold("tie", h_m=load.h_m, out_kn_m=share * 1e-3 * in_si.force, evidence=shown_ties(wall))
+            more = require_value(in_si.tie).stands_more
+            share = 1.0 if more else BRITTLE
+            shown = _shown_tie(wall, load, more)
+            yield Hold("tie", h_m=load.h_m, out_kn_m=share * 1e-3 * in_si.force, evidence=shown)
+
+
+def _shown_tie(wall: Wall, load: Load, stands_more: bool) -> Document | None:
+    """What shows that a tie holds: the engineer's reasons for its anchorage, and for an elongation that counts."""
+    reasons = wall.justification
+    if reasons is None or (stands_more and not reasons.elongation_m):
+        return None
+    anchored = load.bar is not None and load.bar.anchorage_kn is not None
+    shown = reasons.anchorage_kn or reasons.elongation_m
+    return Document("calculation", shown) if shown and (anchored or reasons.anchorage_kn) else None
+
+
+def _bent_above(stretch: Wall, wall: Wall, high: float) -> list[Wall]:
+    """The last stretch as a thrust above its hold bends it: the weights on its top stand as much nearer to its outer
+    face; none where they would be off it."""
+    thrusts = (load for load in wall.load if load.kind == "thrust" and load.h_m > high)
+    moment = sum(require_value(load.kn_m) * (load.h_m - high) for load in thrusts)
+    top = require_value(stretch.height_m)
+    weight = sum(require_value(load.kn_m) for load in stretch.load if load.h_m >= top)
+    if moment == 0.0:
+        return [stretch]
+    if weight <= 0.0:
+        return []
+    by = moment / weight
+    moved = [replace(load, d_m=require_value(load.d_m) - by) if load.h_m >= top else load for load in stretch.load]
+    inside = all(0.0 <= require_value(load.d_m) <= require_value(stretch.thickness) for load in moved)
+    return [replace(stretch, load=tuple(moved))] if inside else []
 
 
 def _levels(wall: Wall) -> list[Hold]:

@@ -220,7 +220,8 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
 
 def _held_part(part: WallPart, stretch: HeldStretch) -> WallPart:
     held = replace(part, hinge=stretch.low, wall=stretch.wall, top=stretch.high, held=True)
-    return replace(held, wall=replace(stretch.wall, name=held.own_name))
+    name = f"{part.wall.title} [{stretch.low:.4g}–{stretch.high:.4g} m]"
+    return replace(held, wall=replace(stretch.wall, name=name))
 
 
 def best_way(parts: Sequence[WallPart], worst: Callable[[list[int]], Any]) -> list[int]:
@@ -241,7 +242,8 @@ def best_way(parts: Sequence[WallPart], worst: Callable[[list[int]], Any]) -> li
 
 def _counts_anyway(part: WallPart, top: float) -> bool:
     """Whether a part moves whatever holds the wall below a height: what is above, between transverse walls, a leaf."""
-    return bool(part.aspect) or part.wall.mechanism == ARCHES or (part.turns and part.hinge >= top - SAME_HINGE)
+    free = part.turns and (part.hinge >= top - SAME_HINGE or not part.wall.leans)
+    return bool(part.aspect) or part.wall.mechanism == ARCHES or free
 
 
 def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
@@ -274,7 +276,7 @@ def _tops_of_holds(wall: Wall, building: Building | None) -> list[float | None]:
     least = [max(least)] if least else []
     least += [wall.shoulder] if wall.gable_m else []
     least += [building.height_m - (wall.base_z_m or 0.0)] if building else []
-    return [hold.top(least) for hold in wall.hold]
+    return [hold.top(least) for hold in wall.hold if hold.is_contact]
 
 
 def leaves_end_open(wall: Wall, building: Building | None) -> bool:

@@ -14,6 +14,9 @@ AT_A_HEIGHT = "floor", "roof", "ring_beam", "anchor", "tie"
 OF_BUILDING = "floor", "roof"
 """Holds up to the highest of which what has no end of its own holds a wall."""
 
+OUTWARD_ALONE = "anchor", "tie"
+"""Holds that pull a wall back and stop it from nothing inward."""
+
 BETWEEN = "cross_walls", "buttress"
 """Holds that hold a wall only where they stand along it."""
 
@@ -70,6 +73,11 @@ class Hold:
     corner_wall: str = text_key()
     corner_side: int | None = number_key(1, 2, whole=True)
     evidence: Document | None = key("section", of=Document, columns="hold{n}_evidence_")
+
+    @property
+    def is_contact(self) -> bool:
+        """Whether a wall leans on it."""
+        return self.kind not in OUTWARD_ALONE
 
     @property
     def only_there(self) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from core.case.rules import AcceptedWall, parse_case, parse_sections, parse_wall_entry, replace_walls
 from core.case.schema import Case
-from core.case.wall import Wall
+from core.case.wall import FOUND, Wall
 from core.case.writer import table_of
 
 MAX_SPARE_WALLS = 1000
@@ -29,7 +29,7 @@ class IncrementalParser:
         if case.walls is not None:
             return parse_case(table_of(case))
         judged = parse_sections(table_of(replace(case, wall=())))
-        rows = [self._row(wall, k) for k, wall in enumerate(case.wall)]
+        rows = [self._row(wall, k, case) for k, wall in enumerate(case.wall)]
         if len(self.read) > 2 * len(rows) + MAX_SPARE_WALLS:
             self.accepted, self.read = {}, {id(row[0]): row for row in rows}
         given = {("wall", k, key) for k, (_, _, keys) in enumerate(rows) for key in keys}
@@ -39,9 +39,13 @@ class IncrementalParser:
         self.accepted = {id(wall): self.accepted[id(wall)] for wall in walls}
         return judged
 
-    def _row(self, wall: Wall, k: int) -> tuple[Wall, Wall, tuple[str, ...]]:
+    def _row(self, wall: Wall, k: int, case: Case) -> tuple[Wall, Wall, tuple[str, ...]]:
         """Read a wall that is not known yet. Raises InputError."""
-        if id(wall) not in self.read:
-            entry = table_of(Case(wall=(wall,)))["wall"][0]
-            self.read[id(wall)] = (wall, parse_wall_entry(entry, k), tuple(entry))
+        if id(wall) in self.read:
+            return self.read[id(wall)]
+        entry = table_of(Case(wall=(wall,)))["wall"][0]
+        if not wall.mechanism and (case.demand or case.site):  # it follows from what holds this wall or its variant
+            leaning = any(hold.is_contact for one in case.wall if one.name == wall.name for hold in one.hold)
+            return wall, parse_wall_entry({**entry, "mechanism": FOUND[leaning]}, k), tuple(entry)
+        self.read[id(wall)] = (wall, parse_wall_entry(entry, k), tuple(entry))
         return self.read[id(wall)]

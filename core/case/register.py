@@ -76,11 +76,11 @@ def other_rows(parts: Iterable[WallPart], looked: set[str], building: Building |
     """Rows of a wall beside those of what is looked at. parts : of the wall; looked : names that have a row"""
     whole = [part for part in parts if part.hinge == 0.0 and part.top is None]
     rows = list(dict.fromkeys(row for part in whole for row in _rows_left(part.body, building, part.aspect)))
-    known, wall = looked | {row.name for row in rows}, whole[0].body
+    names, wall = looked | {row.name for row in rows}, whole[0].body
     return rows + [
         RegisterRow(name, NOT_POSSIBLE, 0.0, wall.height_m, why=sentence("mechanism", _why_not(name, wall)))
         for name in MECHANISMS
-        if name not in known
+        if name not in names
     ]
 
 

@@ -35,7 +35,7 @@ from core.case.values import (
     refuse_unknown,
 )
 from core.case.variant_of import expand_variants
-from core.case.wall import BENDS, Wall
+from core.case.wall import BENDS, FOUND, Wall, leans_on_something
 from core.codes.limits import check_return_period
 from core.codes.spectrum_codes import refuse_faulty, requires_key
 from core.errors import InputError, place, section
@@ -59,9 +59,18 @@ def parse_case(table: dict) -> Case:
 
 
 def _walls_of(table: dict) -> Iterable:
-    """The tables of the walls of a case: beside a demand with the mechanism of those that leave it out."""
+    """The tables of the walls of a case: beside a demand with the mechanism of those that leave it out, the same of
+    both variants of a wall."""
     walls = tables_of(table, "wall")
-    return map(Wall.with_mechanism, walls) if "demand" in table or "site" in table else walls
+    if "demand" not in table and "site" not in table:
+        return walls
+    keys = [wall for wall in walls if isinstance(wall, dict)]
+    leaning = {repr(wall.get("name")) for wall in keys if leans_on_something(wall)}
+    found = {"mechanism": FOUND[True]}
+    return [
+        {**found, **wall} if isinstance(wall, dict) and repr(wall.get("name")) in leaning else Wall.with_mechanism(wall)
+        for wall in walls
+    ]
 
 
 def parse_sections(table: dict) -> Case:
@@ -159,7 +168,7 @@ def parse_draft(table: dict) -> Case:
     return Case(
         title=parse_value(field_of(Case, "title"), table.get("title", "Ribalta")),
         report=one(Report, "report") or Report(),
-        wall=tuple(part(Wall, entry, "wall") for entry in _walls_of(table)),
+        wall=tuple(part(Wall, entry, "wall") for entry in tables_of(table, "wall")),
         record=tuple(part(Record, entry, "record") for entry in tables_of(table, "record")),
         generate=one(Generate, "generate"),
         select=one(Select, "select"),

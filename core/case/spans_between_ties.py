@@ -138,7 +138,7 @@ def multiplier_at_yield(wall: Wall) -> float:
     return side.sine * math.tan(masonry.block.slenderness) + side.cosine
 
 
-def shown_ties(wall: Wall) -> Document | None:
+def _shown(wall: Wall) -> Document | None:
     """What shows the ties of a wall, where the engineer says it: what shows that something stands behind the wall is
     none of them."""
     reasons, holds = wall.justification, wall.held_by
@@ -199,7 +199,7 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
         tie_elongation_m=None,
         tie_spacing_m=None,
         # what the tie stands is looked at where the stretch is chosen
-        hold=(Hold("tie", h_m=high - low, out_kn_m=math.inf, evidence=shown_ties(wall)),),
+        hold=(Hold("tie", h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),),
     )
 
 

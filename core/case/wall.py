@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
-from core.case.hold import AT_A_HEIGHT, Hold, ShareOfHold
+from core.case.hold import AT_A_HEIGHT, OUTWARD_ALONE, Hold, ShareOfHold
 from core.case.keys import choice_key, flag_key, key, number_key, section_to_dict, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.shape import Shaped
@@ -64,6 +64,17 @@ slowly the larger it is."""
 
 MAX_SETBACK = 0.4
 """Largest hinge setback over the thickness: at 0.5 nothing is left to turn about."""
+
+
+FOUND = {True: "one_sided", False: "two_sided"}
+"""Whether a wall leans on something -> the mechanism that is found."""
+
+
+def leans_on_something(table: Mapping) -> bool:
+    """Whether the keys of a wall have a hold that it leans on."""
+    holds = table.get("hold")
+    kinds = [hold.get("kind") for hold in holds if isinstance(hold, Mapping)] if isinstance(holds, list | tuple) else []
+    return any(kind not in OUTWARD_ALONE for kind in kinds)
 
 
 @dataclass(frozen=True)
@@ -124,11 +135,11 @@ class Wall(Shaped):
 
     @staticmethod
     def with_mechanism(table):
-        """The keys of a wall with the mechanism that is left out: one-sided where something holds it, else two-sided;
-        what it may do beside that is found (`core.case.register`)."""
+        """The keys of a wall with the mechanism that is left out: one-sided where it leans on something, else
+        two-sided; what it may do beside that is found (`core.case.register`)."""
         if not isinstance(table, Mapping) or "mechanism" in table:
             return table
-        return {**table, "mechanism": "one_sided" if table.get("hold") else "two_sided"}
+        return {**table, "mechanism": FOUND[leans_on_something(table)]}
 
     @property
     def title(self) -> str:
@@ -211,7 +222,8 @@ class Wall(Shaped):
             return self.arch
         if self.mechanism == BENDS:
             return next((hold for hold in self.hold if self._holds_top(hold)), None)
-        along = [hold for hold in self.hold if not hold.only_there] or self.hold
+        behind = [hold for hold in self.hold if hold.is_contact]
+        along = [hold for hold in behind if not hold.only_there] or behind
         return next((hold for hold in along if hold.evidence is None), next(iter(along), None))
 
     def _holds_top(self, hold: Hold) -> bool:

@@ -7,6 +7,7 @@ from core.report.tie_words import tie_words
 from core.report.verdict_words import outcome_of, sort_results
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
+from core.study.wall_verdict import counted_walls
 from core.text.sentence import word
 from core.units import G
 from core.variation.limit_states import LIMIT_STATES
@@ -71,9 +72,19 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
         _wall(book, sheet, wall, row)
     row += 1
     text(sheet, row, 1, say("smallest"), bold=True)
-    number(sheet, row, 3, min_if_all_known(w.assessment.verdict.zeta_e for w in result.walls if w.assessment), RATIO)
+    number(
+        sheet,
+        row,
+        3,
+        min_if_all_known(w.assessment.verdict.zeta_e for w in counted_walls(result) if w.assessment),
+        RATIO,
+    )
     for column, state in enumerate(LIMIT_STATES, start=9):
-        states = [one for wall in result.walls for one in (wall.required_assessment.states if wall.assessment else ())]
+        states = [
+            one
+            for wall in counted_walls(result)
+            for one in (wall.required_assessment.states if wall.assessment else ())
+        ]
         if there := [one.zeta for one in states if one.state == state]:
             number(sheet, row, column, min_if_all_known(there), RATIO)
     rule(sheet, row, 1, LAST_COLUMN)

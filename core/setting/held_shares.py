@@ -5,7 +5,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from core.case.held_top import mirror_inward
-from core.case.hold import Hold
+from core.case.hold import Hold, ShareOfHold
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
 from core.codes.kinematic import KinematicAnalysis
@@ -25,6 +25,15 @@ def find_push(kinematic: KinematicAnalysis, demand: SeismicDemand, motions: Sequ
     pushes = [] if kinematic.acceleration_demand is None else [kinematic.acceleration_demand]
     pushes += [demand.scaling(motion) * motion.pga for motion in motions]
     return max(pushes) / G if pushes else None
+
+
+def scale_beside(stretch: Wall, factor: float) -> Wall:
+    """A stretch whose upper hold takes so many times the inertia of what goes to it beside the stretch."""
+    holds = (
+        replace(hold, beside_kn_m=factor * hold.beside_kn_m) if isinstance(hold, ShareOfHold) else hold
+        for hold in stretch.hold
+    )
+    return replace(stretch, hold=tuple(holds))
 
 
 def share_out(stretches: Sequence[Wall], pushes: Sequence[float]) -> list[Wall]:

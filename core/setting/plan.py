@@ -19,14 +19,16 @@ from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
 from core.codes.record_compatibility import Compliance, period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
+from core.known import require_value
 from core.packages import MAX_WALLS_IN_WORKBOOK
 from core.rocking.methods import AUTO, METHODS, Method
 from core.setting.check_input import CheckInput, make_rocking_model, select_polarities
 from core.setting.demand_input import generate_motions, read_demand
 from core.setting.floors import Floor, make_floor
-from core.setting.held_shares import find_push, share_out
+from core.setting.held_shares import find_push, scale_beside, share_out
 from core.setting.record_input import join_motions, read_records
 from core.setting.record_selection import Selection, select_records
+from core.units import G
 from core.wall.rocking_model import RockingModel
 
 
@@ -234,25 +236,46 @@ def make_plan(
             signs, felt = select_polarities(model, chosen.polarity), list(floor.motions) if floor else motions
             entries.append(PlannedWall(part, mechanism, model, signs, floor, felt, closed_form))
     if demand:
-        entries = _share_out_holds(entries, demand)
+        entries = _share_out_holds(entries, demand, lambda wall: at_height.of(wall, case.building, demand, motions))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan
 
 
-def _share_out_holds(entries: list[PlannedWall], demand: SeismicDemand) -> list[PlannedWall]:
-    """The walls of a study with the holds between two stretches shared out as the demand asks for it."""
+def _share_out_holds(
+    entries: list[PlannedWall], demand: SeismicDemand, floor_of: Callable[[Wall], Floor | None]
+) -> list[PlannedWall]:
+    """The walls of a study with the holds between two stretches shared out as the demand asks for it; what goes to a
+    hold beside the wall below it is moved as the floor at its height is."""
     shared = list(entries)
     for _, group in groupby(range(len(entries)), lambda k: entries[k].part.origin):
         held = [k for k in group if entries[k].part.held]
         pushes = [_push_of(entries[k], demand) for k in held]
         if not held or None in pushes:
             continue
-        walls = share_out([entries[k].part.wall for k in held], [push for push in pushes if push is not None])
+        alphas = [push for push in pushes if push is not None]
+        stretches = [
+            scale_beside(entries[k].part.wall, _push_at_hold(entries[k], demand, floor_of) / push)
+            for k, push in zip(held, alphas, strict=True)
+        ]
+        walls = share_out(stretches, alphas)
         for k, wall in zip(held, walls, strict=True):
             shared[k] = entries[k]._replace(part=replace(entries[k].part, wall=wall))
     return shared
+
+
+def _push_at_hold(entry: PlannedWall, demand: SeismicDemand, floor_of: Callable[[Wall], Floor | None]) -> float:
+    """alpha of the demand at the hold above a stretch [-], at least that of the stretch."""
+    least, base = require_value(_push_of(entry, demand)), entry.part.body.base_z_m
+    if base is None:
+        return least
+    floor = floor_of(replace(entry.part.body, base_z_m=base + require_value(entry.part.top)))
+    if floor is None:
+        return least
+    pushes = [floor.spectrum.a_z] if floor.spectrum is not None else []
+    pushes += [demand.scaling(motion) * motion.pga for motion in floor.motions]
+    return max(least, *(push / G for push in pushes))
 
 
 def _push_of(entry: PlannedWall, demand: SeismicDemand) -> float | None:

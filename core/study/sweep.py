@@ -19,6 +19,7 @@ from core.setting.plan import select_case_records
 from core.study.journal import MemoryJournal
 from core.study.results import StudyResult
 from core.study.run import run
+from core.study.wall_verdict import counted_walls
 
 TIE_DESIGN_KEYS = "tie_"
 """How the keys of the tie that is sought begin: no check counts it."""
@@ -167,7 +168,7 @@ def sweep(
 def make_sweep_point(value: float, result: StudyResult) -> SweepPoint:
     """Point of a sweep from the result of one wall."""
     zeta: dict[str, float | None] = {}
-    for wall in result.walls:
+    for wall in counted_walls(result):
         for check in wall.assessment.checks if wall.assessment else ():
             known = zeta.get(check.label, check.zeta)
             zeta[check.label] = None if check.zeta is None or known is None else min(known, check.zeta)

@@ -170,11 +170,18 @@ def _at_height(wall: WallResult) -> Sentence | str:
     return hinge_phrase(height, (wall.part.asked.base_z_m or 0.0))
 
 
+def counted_walls(result: StudyResult) -> list[WallResult]:
+    """The results by which the walls of a study are judged, in their order: all but those of a way of holding a wall
+    that is passed over."""
+    counted = {k for verdict in result.verdicts for k in verdict.results}
+    return [wall for k, wall in enumerate(result.walls) if k in counted or not result.verdicts]
+
+
 def zeta_by_hinge(result: StudyResult, wall: WallResult) -> list[tuple[float, float | None]]:
     """Every hinge of the wall a result is of, with the smallest zeta there, None where one is not known; none where it
     has one alone."""
     by_hinge: dict[float, list[float | None]] = {}
-    for one in result.walls:
+    for one in counted_walls(result):
         if one.part.origin == wall.part.origin and one.part.turns and one.assessment:
             by_hinge.setdefault(one.part.hinge, []).append(one.assessment.verdict.zeta_e)
     return [(hinge, min_if_all_known(zetas)) for hinge, zetas in sorted(by_hinge.items())] if len(by_hinge) > 1 else []

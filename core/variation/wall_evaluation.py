@@ -14,7 +14,7 @@ from core.case.site import FULL_FACTOR
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
-from core.codes.outcomes import FAILS, OPEN, min_if_all_known, way_key
+from core.codes.outcomes import FAILS, OPEN, OUTCOMES, PASSES, min_if_all_known, way_key
 from core.setting.check_input import rescale_records
 from core.setting.plan import FloorCache, Inputs, make_plan
 from core.variation.evaluate import AT_LIMIT, FULL_PRECISION, Evaluation, Precision, evaluate
@@ -145,6 +145,12 @@ def evaluate_wall(
         hinges = [evaluate(scene, precision, other=False, cancelled=cancelled) for scene in scenes]
 
     def worst(numbers: list[int]) -> tuple:
-        return way_key((hinges[n].outcome, hinges[n].zeta, setting.demand.zeta_target) for n in numbers)
+        return way_key((outcome(n), hinges[n].zeta, setting.demand.zeta_target) for n in numbers)
+
+    def outcome(n: int) -> str:
+        """Of a part: what holds it and is not shown to leaves it indicative, as in the run."""
+        code, hold = hinges[n].outcome, plan.entries[n].part.wall.held_by
+        shown = not plan.entries[n].part.held or (hold is not None and hold.shows_strength)
+        return code if shown or OUTCOMES[code].judgement != PASSES else "indicative"
 
     return WallEvaluation(tuple(hinges[n] for n in best_way([entry.part for entry in plan.entries], worst)))

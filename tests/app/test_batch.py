@@ -179,7 +179,7 @@ def test_that_a_run_without_number_is_code_3_and_named(case, capsys):
         (("r*.txt", "*.AT2"), ["no file matches"]),
         (("r*.txt", "nowhere.txt"), ["nowhere.txt", "no such file"]),
         (('unit = "m/s2"\n', ""), ["r0.txt", "give unit"]),
-        (('mechanism = "two_sided"', ""), ["mechanism", "required"]),
+        (('mechanism = "two_sided"', 'mechanism = "leaning"'), ["mechanism", "leaning", "one_sided"]),
         (("height_m = 5.0", "height_m = nan"), ["height_m", "nan"]),
         (("ag_g", "agg"), ["did you mean ag_g?"]),
         (("[[wall]]", "[[wall"), ["not TOML"]),

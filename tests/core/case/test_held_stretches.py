@@ -19,7 +19,10 @@ from core.mechanism.holds import FOOT, TOP, force_on_top, limits_of_bending, rea
 from core.mechanism.rest import Reach, holds_at_rest, simple_reactions
 from core.mechanism.sections import Sections
 from core.setting.held_shares import share_out
+from core.setting.plan import make_plan, read_inputs
 from core.study.run import run
+from core.study.wall_verdict import counted_walls
+from core.variation.wall_evaluation import evaluate_wall, make_wall_context
 from core.wall.bending import strip_of
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
@@ -63,7 +66,7 @@ def moving(stretch):
     return Sections(stretch.in_si), MovingStrip(strip, lowest_hinge(strip))
 
 
-@pytest.mark.shows("free.anchored")
+@pytest.mark.shows("held.anchored")
 def test_that_three_floors_make_three_stretches_and_what_each_stands_is_shared_out_whole():
     wall = wall_of(anchored(30.0, 30.0, 15.0))
     stretches = find_held_stretches(wall)
@@ -144,16 +147,16 @@ def test_that_a_hold_is_shared_out_in_the_proportion_of_what_both_stretches_ask_
     assert shared[1].in_si.declared.strength == pytest.approx(30e3 * below / (below + above))
 
 
-@pytest.mark.shows("free.anchored")
+@pytest.mark.shows("held.anchored")
 def test_that_a_stronger_hold_never_worsens_an_outcome_and_one_of_nearly_nothing_is_contact():
     _, contact, bare = verdict_of(anchored(None, None, None))
     ways = []
-    for factor in (1e-4, 0.1, 0.3, 0.6, 1.0, 2.0):
+    for factor in (1e-4, 0.3, 1.0, 2.0):
         result, verdict, _ = verdict_of(anchored(30.0 * factor, 30.0 * factor, 15.0 * factor))
         outcomes = [result.walls[k].assessment.verdict for k in verdict.results]
         ways.append(way_key((one.code, one.zeta_e, 1.0) for one in outcomes))
         assert {result.walls[k].part.held for k in verdict.results} == {factor > 0.6}
-    assert ways == sorted(ways) and ways[0] == ways[3] < ways[-1]
+    assert ways == sorted(ways) and ways[0] == ways[1] < ways[-1]
     assert ways[0][2] == bare.zeta_e == contact.zeta_least
 
 
@@ -213,16 +216,16 @@ TIED = [
 ]
 
 
-@pytest.mark.shows("free.anchored")
+@pytest.mark.shows("held.anchored")
 def test_that_ties_at_several_floors_hold_a_wall_between_them_as_far_as_the_demand_asks():
     """Weak ties give what the wall has by turning, or bending over them; strong ones every stretch of its own."""
     ways = []
-    for factor in (0.02, 0.2, 1.0, 3.0):
+    for factor in (0.02, 1.0, 3.0):
         loads = [*FACADE["load"], *({**tie, "kn_m": factor * tie["kn_m"]} for tie in TIED)]
         result, verdict, _ = verdict_of(behind(to_m=10.2), ag=0.25, load=loads)
         outcomes = [result.walls[k].assessment.verdict for k in verdict.results]
         ways.append(way_key((one.code, one.zeta_e, 1.0) for one in outcomes))
-    assert ways == sorted(ways) and ways[0] < ways[2] <= ways[3]
+    assert ways == sorted(ways) and ways[0] < ways[1] <= ways[2]
     assert all(result.walls[k].part.held for k in verdict.results)
 
 
@@ -240,3 +243,71 @@ def test_that_the_count_of_the_parts_of_a_wall_is_theirs():
             wall = wall_of(hold, mechanism=mechanism, **loads)
             parts = make_wall_parts(0, wall, building)
             assert count_wall_parts(wall, building) == sum(len(part.wall.mechanisms()) for part in parts)
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_a_wall_is_held_between_holds_only_where_something_is_behind_it():
+    """Anchors and ties stop nothing inward: a wall that leans on less than its highest hold turns."""
+    anchors = [hold | {"kind": "anchor"} for hold in anchored(60.0, 60.0, 60.0)]
+    with pytest.raises(InputError) as refused:
+        wall_of(anchors)
+    assert refused.value.code == "hold_not_counted"
+    assert find_held_stretches(wall_of([*anchors, *behind(to_m=10.2)]))
+    tied = wall_of(behind(to_m=10.2), load=[*FACADE["load"], *TIED])
+    assert find_held_stretches(tied)
+    assert find_held_stretches(replace(tied, hold=wall_of(behind(to_m=3.4)).hold)) == []
+
+
+def test_that_a_stub_above_the_highest_hold_stands_or_no_hold_counts():
+    """0.2 m of wall, 2.34 kN/m at 0.325 m: with a thrust at its top it falls without an earthquake."""
+    wall = wall_of(anchored(30.0, 30.0, 15.0, heights=(3.4, 6.8, 10.0)), load=FACADE["load"][:2])
+    assert find_held_stretches(wall)
+    for size, stands in ((2.0, True), (5.0, False)):
+        load = (*wall.load, Load("vertical", 30.0, 10.0, 0.3, "none"), Load("thrust", size, 10.2))
+        assert bool(find_held_stretches(replace(wall, load=load))) == stands, size
+    bent = (*wall.load, Load("vertical", 30.0, 10.0, 0.3, "none"), Load("thrust", 1.5, 10.2))
+    last = find_held_stretches(replace(wall, load=bent))[-1].wall
+    top = [load for load in last.load if load.h_m >= last.height_m]
+    weight = sum(load.kn_m for load in top)
+    straight = 30.0 * 0.3 + 0.2 * 0.65 * 18.0 * 0.325
+    assert sum(load.kn_m * load.d_m for load in top) == pytest.approx(straight - 1.5 * 0.2) and weight > 32.0
+
+
+def test_that_what_stands_above_the_highest_hold_is_moved_as_the_floor_there_is():
+    """One anchored floor, a free storey above it: its inertia goes to the hold by the motion at its height."""
+    demand = {"ag_g": 0.15, "spectrum": SPECTRUM}
+    low = FACADE | {"height_m": 6.8, "load": FACADE["load"][:1], "hold": anchored(20.0, heights=(3.4,))}
+    case = parse_case({"building": {"height_m": 6.8, "storeys": 2, "period_s": 0.25}, "demand": demand, "wall": [low]})
+    inputs = read_inputs(case, ROOT)
+    plan = make_plan(case, inputs)
+    (held,) = (entry for entry in plan.entries if entry.part.held)
+    (above,) = (entry for entry in plan.entries if entry.part.hinge == 3.4)
+    ratio = above.floor.spectrum.a_z / held.kinematic.acceleration_demand
+    (plain,) = find_held_stretches(case.wall[0])
+    assert ratio > 1.1
+    assert held.part.wall.in_si.declared.beside == pytest.approx(ratio * plain.wall.in_si.declared.beside)
+
+
+def test_that_a_tie_is_shown_by_the_reasons_for_all_that_is_counted_of_it():
+    loads = [*FACADE["load"], *TIED]
+    for reasons, shown in (
+        ({}, False),
+        ({"anchorage_kn": "plates, calculation 12"}, False),
+        ({"elongation_m": "steel of 2021, certificate 4"}, False),
+        ({"anchorage_kn": "plates, calculation 12", "elongation_m": "steel of 2021, certificate 4"}, True),
+    ):
+        keys = {"justification": reasons} if reasons else {}
+        stretches = find_held_stretches(wall_of(behind(to_m=10.2), load=loads, **keys))
+        assert {stretch.wall.held_by.shows_strength for stretch in stretches} == {shown}
+
+
+def test_that_what_if_and_run_take_the_same_way():
+    """Floors that only a drawing shows hold no wall that passes by turning."""
+    demand = {"ag_g": 0.05, "spectrum": SPECTRUM}
+    holds = anchored(60.0, 60.0, 60.0, shown={"kind": "drawing", "reference": "A1"})
+    case = parse_case({"building": BUILDING, "demand": demand, "wall": [FACADE | {"hold": holds}]})
+    result = run(case, base_dir=ROOT)
+    found = evaluate_wall(make_wall_context(case, 0, ROOT, read_inputs(case, ROOT)))
+    parts = [result.walls[k].part for k in result.verdicts[0].results]
+    assert sorted(part.wall.name for part in parts) == sorted(hinge.scene.wall.name for hinge in found.hinges)
+    assert counted_walls(result) == [result.walls[k] for k in sorted(result.verdicts[0].results)]

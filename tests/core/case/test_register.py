@@ -14,7 +14,6 @@ from core.case.register import (
     VERTICAL_BENDING,
     find_left_out,
 )
-from core.case.rules import parse_draft
 from core.case.wall_table import parse_wall_rows
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.errors import InputError
@@ -198,7 +197,6 @@ def test_that_the_mechanism_need_not_be_given_beside_a_demand():
     held = bare | {"hold": floors(3.0, 9.0)}
     for wall, found in ((bare, "two_sided"), (held, "one_sided"), (held | {"mechanism": "both"}, "both")):
         assert parse_case(table | {"wall": [wall]}).wall[0].mechanism == found
-        assert parse_draft(table | {"wall": [wall]}).wall[0].mechanism == found
     with pytest.raises(InputError) as refused:
         parse_case({"wall": [bare]})
     assert refused.value.key == "mechanism"
