@@ -44,7 +44,7 @@ from core.case.loads import ReturnWalls
 from core.case.solids import InPlan
 from core.case.values import check_value
 from core.case.variant_names import AS_IS, DESIGNED
-from core.case.wall import ARCHES, BENDS, Wall
+from core.case.wall import ARCHES, BENDS, Wall, find_mechanism
 from core.case.wall_table import parse_wall_rows, read_table, text_rows
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending, uplift_multiplier
@@ -253,9 +253,12 @@ class WallForm(WallEditor):
         self.summary.setText(tr("No wall yet: + wall below the tree."))
 
     def _show_fields(self) -> None:
-        wall = self.wall
+        wall, case = self.wall, self.session.case
+        shown = wall.mechanism if wall is not None else ""
+        if wall is not None and not shown and (case.demand or case.site):
+            shown = find_mechanism(wall, case.wall)
         for name, button in self.mechanisms.items():
-            button.setChecked(wall is not None and wall.mechanism == name)
+            button.setChecked(shown == name)
         if wall is None:
             clear_fields(list(self.fields.values()))
             return

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from core.case.rules import AcceptedWall, parse_case, parse_sections, parse_wall_entry, replace_walls
 from core.case.schema import Case
-from core.case.wall import FOUND, Wall
+from core.case.wall import Wall, find_mechanism
 from core.case.writer import table_of
 
 MAX_SPARE_WALLS = 1000
@@ -45,7 +45,6 @@ class IncrementalParser:
             return self.read[id(wall)]
         entry = table_of(Case(wall=(wall,)))["wall"][0]
         if not wall.mechanism and (case.demand or case.site):  # it follows from what holds this wall or its variant
-            leaning = any(hold.is_contact for one in case.wall if one.name == wall.name for hold in one.hold)
-            return wall, parse_wall_entry({**entry, "mechanism": FOUND[leaning]}, k), tuple(entry)
+            return wall, parse_wall_entry({**entry, "mechanism": find_mechanism(wall, case.wall)}, k), tuple(entry)
         self.read[id(wall)] = (wall, parse_wall_entry(entry, k), tuple(entry))
         return self.read[id(wall)]

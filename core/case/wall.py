@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
@@ -391,3 +391,10 @@ class Wall(Shaped):
         if isinstance(self.law, str):
             return LAWS["rigid" if self.law in WITH_BRANCH else self.law]
         return MomentLaw(self.law["elastic_limit"], self.law["plateau_end"])
+
+
+def find_mechanism(wall: Wall, walls: Iterable[Wall]) -> str:
+    """The mechanism of a wall of a case that has none chosen: what it or its variant leans on says it. walls : of the
+    case"""
+    variants = (variant for variant in walls if variant.name == wall.name)
+    return FOUND[any(hold.is_contact for variant in variants for hold in variant.hold)]

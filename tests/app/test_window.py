@@ -80,12 +80,14 @@ def test_that_the_way_back_from_a_general_block_rounds_nothing(opened):
     assert found.height_m != pytest.approx(6.1, rel=1e-3) and found.hinge_setback_m == 0.0
 
 
-def test_that_a_new_wall_has_no_mechanism_until_one_is_chosen(opened):
+def test_that_the_mechanism_of_a_new_wall_is_found_until_one_is_chosen(opened):
     opened.walls.add()
     assert opened.session.case.wall[-1].mechanism == ""
     type_into(opened.walls.fields["height_m"], "4")
     type_into(opened.walls.fields["thickness_m"], "40")
-    assert not opened.run_button.isEnabled() and "mechanism" in opened.missing.text()
+    assert not opened.run_button.isEnabled() and "mechanism" not in opened.missing.text()
+    chosen = {name: button.isChecked() for name, button in opened.walls.mechanisms.items()}
+    assert [name for name, checked in chosen.items() if checked] == ["two_sided"]  # nothing holds it
     QTest.mouseClick(opened.walls.mechanisms["one_sided"], Qt.MouseButton.LeftButton)
     assert opened.session.case.wall[-1].mechanism == "one_sided"
     # with a demand the height of the base is never guessed
