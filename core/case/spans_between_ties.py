@@ -29,19 +29,25 @@ above 1."""
 
 def find_bending_spans(wall: Wall, hinges: Sequence[float] = ()) -> tuple[tuple[float, float], ...]:
     """Stretches (from, to) above the base [m] in which a wall on one side bends below a tie that holds about as much as
-    one block takes, or more, whatever holds it between: from its base, each tie, each weight (which holds only what is
-    below it) and each of its hinges about which it is no longer one block to each tie above; at least MIN_SLENDERNESS
-    times as high as thick. What it drags along of return walls is no part of them. Empty of a corner and of oblique or
-    dragged solids, and where more than weights acts below the highest tie (a thrust there goes into it), or a tie has
-    slack."""
+    one block takes, or more, whatever holds it between: from its base, each tie and each weight (which holds only what
+    is below it) to each tie above, where it bends from none of these from each of its hinges about which it is no
+    longer one block; at least MIN_SLENDERNESS times as high as thick. What it drags along of return walls is no part of
+    them. Empty of a corner and of oblique or dragged solids, and where more than weights acts below the highest tie (a
+    thrust there goes into it), or a tie has slack."""
     ties = sorted({load.h_m for load in wall.load if load.is_tie})
     if not ties or wall.thickness is None or has_load_below_tie(wall):
         return ()
     if not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
         return ()
-    least = MIN_SLENDERNESS * wall.thickness
-    opened = (hinge for hinge in hinges if hinge < ties[-1] and opens_inside(wall, hinge))
-    lows = sorted({0.0, *ties, *opened, *(load.h_m for load in wall.load if load.is_weight)})
+    weights = {load.h_m for load in wall.load if load.is_weight}
+    if found := _spans_from(wall, sorted({0.0, *ties, *weights}), ties):
+        return found
+    return _spans_from(wall, [hinge for hinge in hinges if hinge < ties[-1] and opens_inside(wall, hinge)], ties)
+
+
+def _spans_from(wall: Wall, lows: Sequence[float], ties: Sequence[float]) -> tuple[tuple[float, float], ...]:
+    """`find_bending_spans` from these heights [m]."""
+    least = MIN_SLENDERNESS * require_value(wall.thickness)
     pairs = tuple(
         (low, high) for high in ties for low in lows if high - low >= least and bears_stretch(wall, low, high)
     )
