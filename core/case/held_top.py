@@ -77,9 +77,17 @@ def _mirrored(solid: Solid, thickness: float) -> Solid:
 
 
 def move_top_loads(was: Wall, wall: Wall) -> Wall:
-    """A wall held at its top whose height changed: what stood on the top of the wall as it was stands on its top."""
-    if not wall.bends or was.height_m is None or wall.height_m is None or was.height_m == wall.height_m:
+    """A wall whose height changed: what held it at its top as it was holds it at its top, and of a wall held there what
+    stood on it stands on it."""
+    if was.height_m is None or wall.height_m is None or was.height_m == wall.height_m:
         return wall
-    near = TOP_TOLERANCE * was.height_m
-    on = (replace(load, h_m=wall.height_m) if abs(load.h_m - was.height_m) <= near else load for load in wall.load)
-    return replace(wall, load=tuple(on))
+    near, top = TOP_TOLERANCE * was.height_m, was.height_m
+
+    def moved(height: float | None) -> float | None:
+        return wall.height_m if height is not None and abs(height - top) <= near else height
+
+    holds = tuple(replace(hold, h_m=moved(hold.h_m), to_m=moved(hold.to_m)) for hold in wall.hold)
+    loads = wall.load
+    if wall.bends:
+        loads = tuple(replace(load, h_m=require_value(moved(load.h_m))) for load in wall.load)
+    return replace(wall, load=loads, hold=holds)

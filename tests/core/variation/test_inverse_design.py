@@ -5,6 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from core.case.held_top import move_top_loads
 from core.errors import InputError
 from core.setting.plan import read_inputs
 from core.study.run import run
@@ -206,3 +207,11 @@ def test_that_loads_are_moved_where_something_but_a_tie_acts():
     tie = {**LOADED, "load": TIED["load"][1:]}
     keys = slider_keys(setting(case_of(tie)))
     assert "load_factor" not in keys and keys["tie_kn_m"] == 4.0 and keys["height_m"] == 6.0
+
+
+def test_that_what_holds_a_wall_at_its_top_follows_its_height():
+    holds = [{"kind": "contact", "to_m": 6.0}, {"kind": "floor", "h_m": 6.0}, {"kind": "floor", "h_m": 3.0}]
+    keys = {"name": "w", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.5, "hold": holds}
+    wall = parse_case({"wall": [keys]}).wall[0]
+    lower = move_top_loads(wall, replace(wall, height_m=5.5))
+    assert [(hold.to_m, hold.h_m) for hold in lower.hold] == [(5.5, None), (None, 5.5), (None, 3.0)]
