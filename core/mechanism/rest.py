@@ -69,11 +69,15 @@ def greatest_reaction(sections: Sections, holds: Sequence[Reach], n: int, alpha:
     return _extreme(sections, holds, n, alpha, least=False)
 
 
+NEAR_TOP = 1e-7
+"""How near to the top its limit is taken [of the height]: nearer the digits of moment and lever cancel."""
+
+
 def greatest_at_top(sections: Sections, height: float, alpha: float) -> float:
     """`greatest_reaction` [N/m] of one hold at this height [m], where nothing but the wall is held: in closed form, the
     least of (alpha S + M_i)/(height - z) over all sections."""
     pieces = sections.pieces[sections.pieces[:, 0] < height]
-    low, high = pieces[:, 0], np.minimum(pieces[:, 1], height - 1e-9)
+    low, high = pieces[:, 0], np.minimum(pieces[:, 1], height * (1.0 - NEAR_TOP))
     a, b, c = (alpha * pieces[:, 2:5] + pieces[:, 5:8]).T
     with np.errstate(divide="ignore", invalid="ignore"):
         inside = height - np.sqrt(height**2 + (b * height + a) / c)

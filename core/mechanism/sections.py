@@ -58,7 +58,7 @@ class Sections:
 
     @cached_property
     def height(self) -> float:
-        """Of the wall [m]."""
+        """Give the height of the wall [m]."""
         return require_value(self.wall.top)
 
     @cached_property

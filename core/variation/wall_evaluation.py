@@ -148,7 +148,7 @@ def evaluate_wall(
         return way_key((outcome(n), hinges[n].zeta, setting.demand.zeta_target) for n in numbers)
 
     def outcome(n: int) -> str:
-        """Of a part: what holds it and is not shown to leaves it indicative, as in the run."""
+        """Outcome of a part: what holds it and is not shown to hold it leaves it indicative, as in the run."""
         code, hold = hinges[n].outcome, plan.entries[n].part.wall.held_by
         shown = not plan.entries[n].part.held or (hold is not None and hold.shows_strength)
         return code if shown or OUTCOMES[code].judgement != PASSES else "indicative"

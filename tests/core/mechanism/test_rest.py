@@ -8,6 +8,7 @@ import pytest
 from core.mechanism.rest import (
     Reach,
     base_reaction,
+    greatest_at_top,
     greatest_reaction,
     holds_at_rest,
     least_reaction,
@@ -125,3 +126,17 @@ def test_that_a_stocky_held_wall_slides_at_its_base_before_it_bends():
     assert multiplier_at_rest(held, [Reach(3.0, FREE)]) == pytest.approx(1.137492, rel=1e-6)
     inward = wall(3.0, 0.8, 18.0, [(20.0, 0.50, 3.0)])
     assert multiplier_at_rest(inward, [Reach(3.0, FREE)]) == pytest.approx(1.026870, rel=1e-6)
+
+
+def test_that_the_greatest_reaction_at_a_top_is_that_of_the_polygons():
+    """Two ways: in closed form over the sections, and what is left of the polygons, whose sections are a sample."""
+    draw, compared = random.Random(5), 0
+    for _ in range(12):
+        height = draw.uniform(2.5, 4.0)
+        loads = [(draw.uniform(1.0, 40.0), draw.uniform(0.1, 0.3), draw.uniform(0.3, 1.0) * height)]
+        sections = wall(height, draw.uniform(0.35, 0.8), 18.0, loads * draw.choice((0, 1)), draw.uniform(0.0, 0.03))
+        for alpha in (0.05, 0.2):
+            if (polygons := greatest_reaction(sections, [Reach(height, FREE)], 0, alpha)) is not None:
+                assert greatest_at_top(sections, height, alpha) == pytest.approx(polygons, rel=1e-6)
+                compared += 1
+    assert compared > 15
