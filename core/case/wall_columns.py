@@ -4,6 +4,7 @@ import functools
 import re
 from collections.abc import Iterable
 from dataclasses import Field, fields
+from difflib import get_close_matches
 from typing import NamedTuple
 
 from core.case.hinges import BASE, FLOORS
@@ -20,8 +21,8 @@ from core.text.sentence import LANGUAGES, Sentence
 
 MAX_LOADS = 4
 
-_LATER = re.compile(r"[a-z]+[2-9]_")
-"""Columns of the second and of later loads and solids, which a sentence leaves out."""
+_OF_PARTS = re.compile(r"[0-9]_")
+"""In columns of holds, loads, solids and openings, which a sentence leaves out where none of them is near."""
 
 
 class Column(NamedTuple):
@@ -251,8 +252,9 @@ def _heads(cells: list[str]) -> list[str]:
         if name in OLD_COLUMNS or OLD_ARCH.match(name):
             raise InputError("old_column", column=cell[:60], written=OLD_COLUMNS.get(name, "hold1_spacing_m"))
         if name not in known:
-            first = (name for name in columns() if not _LATER.match(name))
-            raise InputError("unknown_column", column=cell[:60], known=", ".join(first))
+            near = dict.fromkeys(known[title] for title in get_close_matches(name, known, 5))
+            plain = (column for column in columns() if not _OF_PARTS.search(column))
+            raise InputError("unknown_column", column=cell[:60], known=", ".join(near or plain))
         if known[name] in keys:
             raise InputError("column_twice", column=cell[:60])
         keys.append(known[name])

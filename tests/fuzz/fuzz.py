@@ -385,24 +385,25 @@ def attack(name: str, seconds: float, seed: int, inputs: float = math.inf) -> tu
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         good = seeds(folder)[name]
-        with contextlib.suppress(Exception):  # what the first call imports is not the time of an input
-            TARGETS[name](good[0], folder)
+        for one in good:  # what its first call imports and compiles is not the time of an input
+            with contextlib.suppress(Exception):
+                TARGETS[name](one, folder)
         end = time.monotonic() + seconds
         while count < inputs and time.monotonic() < end:
             whole_zip = name in ("workbook", "zip", "sheet") and chance.random() < 0.8
             content = inside(chance.choice(good), chance) if whole_zip else changed(chance, good)
             count += 1
-            start = time.monotonic()
+            start = time.process_time()
             try:
                 _refused_in_a_sentence(TARGETS[name], content, folder)
             except BaseException as error:
                 kept = Path(tempfile.mkstemp(prefix=f"ribalta-{name}-")[1])
                 kept.write_bytes(content)
                 return count, f"{type(error).__name__}: {str(error)[:200]}; input kept in {kept}"
-            if time.monotonic() - start > SLOWEST:
+            if (took := time.process_time() - start) > SLOWEST:
                 kept = Path(tempfile.mkstemp(prefix=f"ribalta-{name}-slow-")[1])
                 kept.write_bytes(content)
-                return count, f"took {time.monotonic() - start:.1f} s; input kept in {kept}"
+                return count, f"took {took:.1f} s of processor; input kept in {kept}"
     return count, None
 
 
