@@ -44,6 +44,7 @@ from core.study.results import StudyResult
 from core.study.wall_result import model_notices
 from core.text.sentence import Key
 from core.version import NAME, VERSION
+from core.wall.kinematics import kinematics
 from core.wall.rocking_model import RockingModel
 
 __all__ = [
@@ -296,7 +297,7 @@ def eq15_16(wall: Wall, ground: GroundMotion, mechanism: str | None = None) -> f
     if not add_corner_thrust(_of(Wall, "wall", wall)).has_closed_forms:
         raise InputError("api_closed_forms", wall=wall.title)
     block, asked = wall.in_si.block, _mechanism(wall, mechanism)
-    one_sided = asked == "one_sided"
+    one_sided = kinematics(asked).one_way
     outside = range_notices(block.slenderness, block.height, [(ground.name, ground.pga)])
     outside += model_notices(asked, wall.restitution_of(asked), wall.moment_law())
     for one in outside:

@@ -15,3 +15,22 @@ def between(spacing=None, evidence="opening", **ends):
 def at_top(height, strength=None, evidence="calculation", kind="ring_beam"):
     """What holds the top of a wall that bends [m], and how much it stands [kN/m]."""
     return behind(evidence, kind, h_m=height, **({} if strength is None else {"out_kn_m": strength}))
+
+
+def carries(*given, **keys):
+    """Keys of a wall that carries these loads, and that these ties hold beside the holds of `keys`: what is of kind
+    "tie" is one of its holds. A wall without loads says that it has none."""
+    loads, ties = [one for one in given if one["kind"] != "tie"], [one for one in given if one["kind"] == "tie"]
+    holds = [*keys.pop("hold", ()), *ties]
+    stated = {"load": loads} if loads else {"unloaded_confirmed": True}
+    return keys | stated | ({"hold": holds} if holds else {})
+
+
+def sought(height, **bar):
+    """A tie to be designed at this height [m]; bar : bar_length_m, elongation_m, spacing_m."""
+    return {"kind": "tie", "h_m": height, "design": True, **bar}
+
+
+def aside(mechanism, **heights):
+    """A mechanism that is set aside by a survey; heights : from_m, to_m."""
+    return {"mechanism": mechanism, **heights, "evidence": {"kind": "survey", "reference": "sheet 9"}}

@@ -9,7 +9,8 @@ from dataclasses import fields
 
 import pytest
 
-from core.case.loads import Bars, Load, ReturnWalls
+from core.case.hold import Bars
+from core.case.loads import Load, ReturnWalls
 from core.case.solids import Opening, Solid, Step, Wedges
 from core.case.wall import Wall
 from tests.conftest import ROOT
@@ -58,6 +59,7 @@ SOLVED = "tests/core/lab/solved/test_cases.py"
 
 SHOWN_BY = {
     **dict.fromkeys(("study/register", "report/register_words"), "tests/core/case/test_register.py"),
+    "wall/load_kinds": "tests/core/wall/test_kinematics.py",
     "setting/held_shares": "tests/core/case/test_held_stretches.py",
     "codes/annex": "tests/core/codes/test_spectrum_codes.py",
     "api": "tests/test_notebooks.py",

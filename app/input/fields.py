@@ -14,9 +14,9 @@ from app.look import theme
 from app.look.labels import PlainLabel, escape_html
 from app.look.language import FORM_NAMES, current_language, key_text, tr
 from app.look.whole_text import tell_whole
-from core.case.hold import Document
+from core.case.hold import Bars, Document
 from core.case.keys import unit_in_form
-from core.case.loads import Bars, ReturnWalls
+from core.case.loads import ReturnWalls
 from core.case.place import Site
 from core.case.schema import Analysis, Report
 from core.case.site import Building, Demand, Spectrum

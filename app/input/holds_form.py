@@ -8,8 +8,9 @@ from app.input.optional_group import OptionalGroup
 from app.look.language import current_language, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
-from core.case.hold import AT_A_HEIGHT, BETWEEN, HOLDS, Document, Hold
+from core.case.hold import AT_A_HEIGHT, BETWEEN, HOLDS, TIE, Bars, Document, Hold
 from core.case.hold_rules import OF_ENDS
+from core.case.tie_rules import NOT_SOUGHT, OF_A_TIE
 from core.text.sentence import capital, choice
 
 
@@ -20,6 +21,8 @@ def hold_words(hold: Hold) -> str:
         said.append(f"h {_shown(hold.h_m)} m")
     elif hold.spacing_m is not None:
         said.append(f"L {_shown(hold.spacing_m)} m")
+    if hold.design:
+        said.append(tr("to be designed"))
     if hold.out_kn_m not in (None, ""):
         said.append(f"{_shown(hold.out_kn_m)} kN/m")
     return ", ".join(said)
@@ -38,9 +41,15 @@ def _hold_has(hold: Hold, key: str) -> bool:
     if key in OF_ENDS:
         return hold.kind in BETWEEN and hold.spacing_m is not None
     if key == "spacing_m":
-        return hold.kind in BETWEEN
+        return hold.kind in BETWEEN or hold.design
+    if key in OF_A_TIE and hold.kind != TIE:
+        return False
+    if key in NOT_SOUGHT and hold.design:
+        return False
+    if key == "fy_mpa":
+        return hold.bar is None
     if key == "out_kn_m":
-        return hold.kind in AT_A_HEIGHT or hold.spacing_m is not None
+        return hold.bar is None and (hold.kind in AT_A_HEIGHT or hold.spacing_m is not None)
     return True
 
 
@@ -52,16 +61,21 @@ class HoldsForm(EntriesForm):
         self.list.setAccessibleName(tr("Holds"))
         self.add_button = self.add_menu(tr("Add a hold"), HOLDS, self.add)
         self.delete_button.setText(tr("Delete this hold"))
-        empty = Document(TO_BE_GIVEN)
+        bars, empty = Bars(TO_BE_GIVEN, TO_BE_GIVEN), Document(TO_BE_GIVEN)
+        self.bars = OptionalGroup(tr("Bars in place of the force"), "bar", bars, lambda: self.entry, self._edit_bars)
+        self.column.addWidget(self.bars)
         self.shown_by = OptionalGroup(tr("Evidence"), "evidence", empty, lambda: self.entry, self._edit_evidence)
         self.column.addWidget(self.shown_by)
 
     def _choose(self) -> None:
+        self.bars.forget()
         self.shown_by.forget()
         super()._choose()
 
     def _show_entry(self) -> None:
         super()._show_entry()
+        self.bars.setVisible(self.entry is not None and self.entry.is_tie)
+        self.bars.show_case()
         self.shown_by.setVisible(self.entry is not None)
         self.shown_by.show_case()
 
@@ -71,9 +85,15 @@ class HoldsForm(EntriesForm):
             at = (self.wall.height_m or TO_BE_GIVEN) if kind in AT_A_HEIGHT else None
             self.append(Hold(kind, h_m=at))
 
+    def show_tie(self) -> None:
+        """Show the first tie, if there is one and none is shown."""
+        row = next((k for k, hold in enumerate(self.entries) if hold.kind == TIE), None)
+        if row is not None and not (self.entry and self.entry.kind == TIE):
+            self.list.setCurrentRow(row)
+
     def focus_missing(self) -> None:
         """The cursor where something is missing: the first hold, or what shows one."""
-        bare = next((k for k, hold in enumerate(self.entries) if hold.evidence is None), None)
+        bare = next((k for k, hold in enumerate(self.entries) if hold.is_contact and hold.evidence is None), None)
         if bare is None:
             self.add_button.setFocus()
             return
@@ -81,15 +101,22 @@ class HoldsForm(EntriesForm):
         self.shown_by.setFocus()
 
     def changed(self, entry: Hold, key: str, value) -> Hold:
-        """Another kind has its own keys: what only the last one has goes."""
-        if key != "kind":
-            return super().changed(entry, key, value)
-        hold = replace(entry, kind=value)
+        """Another kind has its own keys, and a tie that is sought: what only the last one has goes."""
+        hold = super().changed(entry, key, value)
+        if key not in ("kind", "design"):
+            return hold
+        hold = hold if hold.kind == TIE else replace(hold, bar=None)
         gone = {field.key: field.entry.default for field in self.fields if not _hold_has(hold, field.key)}
         hold = replace(hold, **gone)
         if value in AT_A_HEIGHT and hold.h_m is None and self.wall is not None:
             hold = replace(hold, h_m=self.wall.height_m or TO_BE_GIVEN)
         return hold
+
+    def _edit_bars(self, *place, bar: Bars | None) -> None:
+        """Bars that come or go take the force with them."""
+        if self.entry is not None:
+            hold = replace(self.entry, bar=bar)
+            self.put(hold if place else replace(hold, out_kn_m=None, fy_mpa=None), *(place or ("bar",)))
 
     def _edit_evidence(self, *place, evidence: Document | None) -> None:
         if self.entry is not None:

@@ -14,7 +14,7 @@ from app.work.session import Session
 from core.case.schema import Case, Generate
 from core.case.site import FULL_FACTOR, Building, Demand, DemandJustification
 from core.case.solids import Leaf
-from core.case.wall import BENDS, Wall, WallJustification
+from core.case.wall import Wall, WallJustification
 from core.codes.limits import ORDINARY_LIFE
 from core.codes.national_hazard import national_range
 from core.codes.spectrum_codes import NATIONAL
@@ -22,6 +22,7 @@ from core.codes.verdict import CODE_Q
 from core.ground.scattered import SPREAD
 from core.setting.floors import MAX_STOREY, MIN_STOREY
 from core.text.sentence import capital
+from core.wall.kinematics import kinematics
 from core.wall.restitution import MODELS
 
 DEFAULT_COUNT = Generate().count
@@ -32,13 +33,13 @@ Reasons = WallJustification | DemandJustification
 
 def _of_ties(wall: Wall, leaf: Leaf | None) -> dict[str, bool]:
     """Those keys of `favourable_wall_keys` that ties hold, and the connectors of a leaf."""
-    ties = [load for load in wall.load if load.is_tie]
+    ties = wall.ties
     return {
         "elongation_m": bool(ties),
-        "slack_mm": any(load.slack_mm for load in ties),
-        "anchorage_kn": any(load.bar is None or load.bar.anchorage_kn is None for load in ties)
+        "slack_mm": any(tie.slack_mm for tie in ties),
+        "anchorage_kn": any(tie.bar is None or tie.bar.anchorage_kn is None for tie in ties)
         or bool(leaf and leaf.connector_kn_m),
-        "prestress": any(load.prestress for load in ties),
+        "prestress": any(tie.prestress for tie in ties),
     }
 
 
@@ -57,16 +58,15 @@ def favourable_wall_keys(case: Case, wall: Wall) -> set[str]:
         "contact": bool(wall.solid),
         "law": wall.law != "auto",
         "free_element": wall.free_element is not None
-        and any(wall.free_element != (mechanism == "two_sided") for mechanism in wall.mechanisms()),
-        "load": (wall.mechanism == BENDS and bool(wall.load))
-        or any(load.kind == "carried_mass" or load.q_kn_m for load in wall.load)
-        or any(load.kind == "thrust" and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
-        "mass": any(load.kind == "vertical" for load in wall.load),
-        "d_m": any(load.kind == "vertical" for load in wall.load),
-        "hinge_heights": wall.hinge_heights is not None or any(load.is_tie for load in wall.load),
+        and any(wall.free_element != (kinematics(mechanism).both_ways) for mechanism in wall.mechanisms()),
+        "load": (wall.kinematics.bends_up and bool(wall.load))
+        or any(load.is_carried or load.q_kn_m for load in wall.load)
+        or any(load.is_thrust and isinstance(load.kn_m, float) and load.kn_m < 0.0 for load in wall.load),
+        "mass": any(load.rests for load in wall.load),
+        "d_m": any(load.rests for load in wall.load),
         "h_m": any(load.is_weight and is_number(load.h_m) for load in wall.load),
         "compressive_strength_mpa": wall.compressive_strength_mpa is not None,
-        "unit_weight_kn_m3": wall.unit_weight_kn_m3 is not None and bool(wall.load),
+        "unit_weight_kn_m3": wall.unit_weight_kn_m3 is not None and wall.is_loaded,
         "base_z_m": case.demand is not None and at_height and not wall.bends,
     }
     return {key for key, lifts in lifting.items() if lifts}

@@ -19,6 +19,7 @@ from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
 from app.input.optional_group import OptionalGroup
 from app.input.reasons_form import reasons_of_wall
+from app.input.set_aside_form import SetAsideForm
 from app.input.wall_editor import WallEditor
 from app.input.wall_text import (
     add_building_loads,
@@ -44,13 +45,14 @@ from core.case.loads import ReturnWalls
 from core.case.solids import InPlan
 from core.case.values import check_value
 from core.case.variant_names import AS_IS, DESIGNED
-from core.case.wall import ARCHES, BENDS, Wall, find_mechanism
+from core.case.wall import Wall, find_mechanism
 from core.case.wall_table import parse_wall_rows, read_table, text_rows
 from core.codes.masonry_types import TYPES
 from core.codes.vertical_bending import bending, uplift_multiplier
 from core.errors import InputError
 from core.known import require_value
 from core.units import G
+from core.wall.kinematics import ARCHES, BENDS, MECHANISMS, kinematics
 from core.wall.restitution import MODELS
 
 IN_A_ROW = 400
@@ -83,11 +85,12 @@ class WallForm(WallEditor):
         self.impact = ImpactForm(session, lambda: self.current)
         self.holds = HoldsForm(session, lambda: self.current)
         self.loads = LoadsForm(session, lambda: self.current)
+        self.set_aside = SetAsideForm(session, lambda: self.current)
         self.body = BodyForm(session, lambda: self.current)
         self.reasons = reasons_of_wall(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
         check_fields = make_fields(Wall, "checks", first=BASE_KEYS)
-        held = make_fields(Wall, "held", first=("tie_height_m",))
+        held = make_fields(Wall, "held")
         every = (make_field(Wall, "name"), *self.shape_fields, *check_fields, *held)
         self.fields = {field.key: field for field in every}
         connect(list(self.fields.values()), self._changed)
@@ -107,12 +110,9 @@ class WallForm(WallEditor):
             "body": FoldingSection(tr("Shape"), [self.body]),
             "mechanism": FoldingSection(tr("Mechanism and base"), [self._mechanism(), *base], open=True),
             "holds": FoldingSection(tr("What holds it"), [self.holds], open=True),
-            "loads": FoldingSection(tr("Loads and ties"), [self.fields["unloaded_confirmed"], self.loads]),
-            "held": FoldingSection(
-                tr("Tie to be designed, return walls"),
-                [*(field for field in held if field.key.startswith("tie_")), self.across],
-            ),
-            "hinges": FoldingSection(tr("Hinges"), [self.fields["hinge_heights"]]),
+            "loads": FoldingSection(tr("Loads"), [self.fields["unloaded_confirmed"], self.loads]),
+            "held": FoldingSection(tr("Return walls"), [self.across]),
+            "hinges": FoldingSection(tr("Hinges"), [self.fields["hinge_heights"], self.set_aside]),
             "impact": FoldingSection(tr("Restitution and law"), [self.impact]),
             "notes": FoldingSection(
                 tr("Material, variant, notes"), [*notes, self.fields["variant"], self.differs, self.plan]
@@ -133,6 +133,7 @@ class WallForm(WallEditor):
             self.impact.show_case,
             self.holds.show_case,
             self.loads.show_case,
+            self.set_aside.show_case,
             self.across.show_case,
             self.plan.show_case,
             self.body.show_case,
@@ -161,25 +162,18 @@ class WallForm(WallEditor):
         grid = QGridLayout(group)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(4)
-        for name, label, tip in (
-            ("two_sided", result_word("two_sided"), tr("Free on both faces: rocks to both sides")),
-            ("one_sided", result_word("one_sided"), tr("A restraint behind: rocks outwards only")),
-            ("both", result_word("both"), tr("Two results: with the restraint behind and without")),
-            (
-                BENDS,
-                result_word(BENDS),
-                tr("Held at its top, free to rise there: bends outward and inward as two blocks"),
-            ),
-            (
-                ARCHES,
-                result_word(ARCHES),
-                tr("Held at both ends by transverse walls: spans between them as a flat arch"),
-            ),
-        ):
-            button = QToolButton()
+        tips = {
+            "two_sided": tr("Free on both faces: rocks to both sides"),
+            "one_sided": tr("A restraint behind: rocks outwards only"),
+            "both": tr("Two results: with the restraint behind and without"),
+            BENDS: tr("Held at its top, free to rise there: bends outward and inward as two blocks"),
+            ARCHES: tr("Held at both ends by transverse walls: spans between them as a flat arch"),
+        }
+        for name, kind in MECHANISMS.items():
+            label, tip, button = result_word(name), tips.get(name, ""), QToolButton()
             button.setIcon(mechanism_icon(name))
             button.setIconSize(QSize(44, 44))
-            lines = label.split(" ") if name in (BENDS, ARCHES) else [label]
+            lines = label.split(" ") if kind.bends else [label]
             button.setText("\n".join(lines))
             button.setToolTip(escape_html(tip))
             button.setAccessibleName(label)
@@ -269,12 +263,12 @@ class WallForm(WallEditor):
         # only what the mechanism needs, and what stands there all the same
         self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
         self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
-        self.fields["all_directions"].setVisible(wall.mechanism == "two_sided" or wall.all_directions)
+        self.fields["all_directions"].setVisible(wall.kinematics.both_ways or wall.all_directions)
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
         for name, said in unused_history_sections(wall).items():
             self.sections[name].setVisible(not wall.bends or said)
         doubts = input_questions(wall)
-        for field in (*self.fields.values(), *self.holds.fields, *self.loads.fields):
+        for field in (*self.fields.values(), *self.holds.fields, *self.loads.fields, *self.set_aside.fields):
             field.show_doubt(doubts.get(field.key, ""))
 
     def _show_contents(self) -> None:
@@ -371,7 +365,7 @@ class WallForm(WallEditor):
     def _mechanism_chosen(self, name: str) -> None:
         wall = require_value(self.wall)
         values: dict[str, Any] = {"mechanism": name}
-        if name != "one_sided" and wall.restitution and MODELS[wall.restitution].one_sided:
+        if not kinematics(name).one_way and wall.restitution and MODELS[wall.restitution].one_sided:
             values["restitution"] = None
         self.edit(**values)
         self.show_case()

@@ -2,6 +2,8 @@
 
 import contextlib
 import math
+from collections.abc import Callable
+from typing import Any
 
 from app.input.hinges_field import hinge_words
 from app.input.impact_form import named_laws, named_models
@@ -10,6 +12,7 @@ from app.work.session import Session
 from core.capacity.scale_free_law import estimates
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
 from core.case.hinges import hinges_of
+from core.case.hold import Hold
 from core.case.keys import unit_in_form
 from core.case.loads import Load
 from core.case.rules import TESTED_STRENGTH
@@ -24,6 +27,7 @@ from core.study import wall_result
 from core.study.variants import changed_keys
 from core.text.sentence import capital, choice, notice
 from core.wall.block import Block
+from core.wall.kinematics import kinematics
 
 OF_ONE = "law_of_a_set", "law_of_one_record"
 """What is said of q alone."""
@@ -41,7 +45,7 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
                 wall.block(),
                 wall.restitution_of(mechanism),
                 wall.moment_law(),
-                mechanism == "one_sided",
+                kinematics(mechanism).one_way,
                 velocity_integral(demand.target),
                 demand.pga,
             )
@@ -139,7 +143,7 @@ def convert_shape_keys(shape: str, wall: Wall, block: Block) -> dict[str, float 
 def unused_history_sections(wall: Wall) -> dict[str, bool]:
     """Sections of the form that a wall held at its top has no use for -> whether something stands there."""
     return {
-        "held": wall.tie_height_m is not None or wall.return_walls is not None,
+        "held": wall.return_walls is not None,
         "hinges": wall.hinge_heights is not None,
         "impact": wall.restitution is not None or wall.velocity_ratio is not None or wall.law != "auto",
     }
@@ -155,6 +159,16 @@ def _load_words(load: Load) -> str:
     return load_kind_text(load) + size
 
 
+def _hold_words(hold: Hold) -> str:
+    """A hold in a few words."""
+    size = f" {number(hold.out_kn_m, 'g')} kN/m" if isinstance(hold.out_kn_m, float) else ""
+    return (choice(hold.kind, current_language()) if hold.kind else "–") + size
+
+
+ENTRY_WORDS: dict[str, Callable[[Any], str]] = {"load": _load_words, "hold": _hold_words}
+"""Key of the loads or of the holds of a wall -> one of them in a few words."""
+
+
 def differences(case: Case, wall: Wall) -> list[str]:
     """What is another in a variant than in the wall as it is, a line for each key; empty of any other wall."""
     before = next((one for one in case.wall if one.name == wall.name and one.variant == AS_IS), None)
@@ -162,17 +176,15 @@ def differences(case: Case, wall: Wall) -> list[str]:
         return []
     lines = []
     for key in changed_keys(before, wall):
-        if key.startswith("tie_"):  # of the tie that is sought, as its height
-            continue
         entry, old, new = field_of(Wall, key), getattr(before, key), getattr(wall, key)
         words = result_word(f"key_{key}")
         if entry.metadata["kind"] == "float":
             unit, factor = unit_in_form(entry)
             ends = (number(one if one is None else factor * one, ".4g") for one in (old, new))
             words += f" {' → '.join(ends)} {unit}".rstrip()
-        elif key == "load":
+        elif key in ENTRY_WORDS:
             signed = [("+", one) for one in new if one not in old] + [("−", one) for one in old if one not in new]
-            words += " " + ", ".join(f"{sign} {_load_words(one)}" for sign, one in signed)
+            words += " " + ", ".join(f"{sign} {ENTRY_WORDS[key](one)}" for sign, one in signed)
         elif entry.metadata["kind"] == "choice":
             words += f" {' → '.join(choice(one, current_language()) if one else '–' for one in (old, new))}"
         lines.append(words)
@@ -219,11 +231,6 @@ def contents_of(wall: Wall) -> dict[str, str]:
     kinds = [load_kind_text(load) for load in wall.load]
     carries = [f"{kinds.count(kind)} × {kind}" for kind in dict.fromkeys(kinds)]
     kinds_held = dict.fromkeys(hold.kind for hold in wall.hold if hold.kind)
-    held = []
-    if wall.tie_height_m is not None:
-        held.append(tr("tie at {z} m", z=number(wall.tie_height_m, "g")))
-    if wall.return_walls is not None:
-        held.append(tr("friction of return walls"))
     law = named_laws().get(wall.law if isinstance(wall.law, str) else "own", "")
     ratio = tr("default of the mechanism") if wall.restitution is None and wall.velocity_ratio is None else ""
     if wall.velocity_ratio is not None:
@@ -237,7 +244,7 @@ def contents_of(wall: Wall) -> dict[str, str]:
         "mechanism": ", ".join(filter(None, (result_word(wall.mechanism) if wall.mechanism else "", base))),
         "holds": ", ".join(capital(choice(kind, current_language())) for kind in kinds_held) or tr("nothing"),
         "loads": ", ".join(carries) or (tr("nothing, confirmed") if wall.unloaded_confirmed else tr("nothing")),
-        "held": ", ".join(held) or tr("none"),
+        "held": tr("friction of return walls") if wall.return_walls is not None else tr("none"),
         "hinges": tr("usual")
         if hinges is None
         else hinge_words()[hinges]

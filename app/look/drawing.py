@@ -11,19 +11,20 @@ from PySide6.QtWidgets import QWidget
 
 from app.look import theme
 from app.look.body_drawing import BodyDrawing, complete, turned
-from app.look.hold_drawing import HoldMark, find_hold_marks, paint_holds, write_strengths
+from app.look.hold_drawing import HoldMark, find_hold_marks, find_strength, paint_holds, write_strengths
 from app.look.language import number
 from app.look.plan_drawing import paint_plan, plan_of
 from core.case.detached import make_leaf_wall
 from core.case.held_top import mirror_inward
 from core.case.loads import Load
-from core.case.wall import ARCHES, BENDS, Wall
+from core.case.wall import Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
 from core.known import require_value
 from core.report.load_arrows import MIN_ARROW, arrows
 from core.rocking.bar_state import BROKEN, SLACK, YIELDING
 from core.wall.bending import HeldTop, Strip, hinges_of, strip_of
+from core.wall.kinematics import kinematics
 
 
 def outline(height: float, thickness: float, setback: float, rotation: float) -> list[QPointF]:
@@ -75,17 +76,19 @@ class Arrow(NamedTuple):
     words: str
 
 
-def _is_given(wall: Wall, load: Load) -> bool:
+def _is_given(load: Load) -> bool:
     """Whether size and place of a load are."""
     try:
-        return math.isfinite(load.in_si(wall.length_m).force)
+        return math.isfinite(load.in_si.force)
     except (InputError, TypeError):
         return False
 
 
 def _with_loads_given(wall: Wall) -> Wall:
-    given = tuple(load for load in wall.load if _is_given(wall, load))
-    return wall if given == wall.load else replace(wall, load=given)  # the same keeps what is known of its body
+    loads = tuple(filter(_is_given, wall.load))
+    holds = tuple(hold for hold in wall.hold if not hold.is_tie or find_strength(wall, hold) is not None)
+    same = loads == wall.load and holds == wall.hold
+    return wall if same else replace(wall, load=loads, hold=holds)  # the same keeps what is known of its body
 
 
 def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: float) -> list[Arrow]:
@@ -95,10 +98,9 @@ def arrows_of(wall: Wall, all_loads: Sequence[Load], height: float, thickness: f
     all_loads : of the wall of the form
     """
     lines, drawn = iter(arrows(wall, height, thickness)), []
-    sizes = iter(wall.in_si.loads)
     for k, load in enumerate(all_loads):
         if load in wall.load:
-            size = f"{number(abs(next(sizes).force) / 1e3, '.3g')} kN/m"
+            size = f"{number(abs(load.in_si.force) / 1e3, '.3g')} kN/m"
             drawn.append(Arrow(k, next(lines), size))
             continue
         at = load.h_m if isinstance(load.h_m, float) else height
@@ -116,7 +118,7 @@ def leaf_lines(wall: Wall) -> list[list[tuple[float, float]]]:
     leaf = make_leaf_wall(wall)
     half, height = 0.5 * require_value(wall.thickness), require_value(wall.height_m)
     face = half - require_value(leaf.thickness)
-    rows = [load.h_m for load in leaf.load if load.is_tie and load not in wall.load]
+    rows = [require_value(tie.h_m) for tie in leaf.ties if tie not in wall.ties]
     return [[(face, 0.0), (face, height)], *([(-half, row), (half, row)] for row in rows)]
 
 
@@ -181,18 +183,19 @@ class WallDrawing(QWidget):
         self.bent, self.held, self.plan, self.leaf = Bent(), None, None, ()
         if wall is not None:
             try:
-                all_loads, wall = wall.load, _with_loads_given(complete(wall))
+                asked = complete(wall)
+                wall = _with_loads_given(asked)
                 block = wall.block()
                 height = wall.height_m or block.height
                 thickness = wall.thickness or block.thickness
                 self.size_of = (height, thickness, wall.setback if wall.height_m else 0.0)
-                self.one_sided = wall.mechanism == "one_sided"
-                self.holds = find_hold_marks(wall, height)
+                self.one_sided = wall.kinematics.one_way
+                self.holds = find_hold_marks(asked, height)
                 self.body = BodyDrawing(wall, 0.5 * thickness)
-                self.arrows = arrows_of(wall, all_loads, height, thickness)
+                self.arrows = arrows_of(wall, asked.load, height, thickness)
                 self.plan = plan_of(wall) if self.with_sizes else None
                 self.leaf = leaf_lines(wall) if self.with_sizes else ()
-                if wall.mechanism == BENDS:
+                if wall.kinematics.bends_up:
                     self.bent = bent_blocks(mechanism := bending(wall.in_si))
                     self.held = HeldTop(mechanism.strip, strip_of(mirror_inward(wall).in_si), mechanism.h1)
             except (InputError, TypeError):
@@ -292,7 +295,7 @@ class WallDrawing(QWidget):
         return self.with_sizes and bool(self.body.elevation) and self.width() >= MIN_WIDTH_OF_ELEVATION
 
     def _mark_spots(self, place, height, thickness, setback) -> None:
-        """Where a click leads to a field: loads first, for a tie may stand at a hinge."""
+        """Where a click leads to a field: loads first."""
 
         def around(points, kind: str, k: int = 0) -> None:
             area = QPolygonF([place(QPointF(x, y)) for x, y in points]).boundingRect()
@@ -426,33 +429,34 @@ def mechanism_icon(name: str, size: int = 52) -> QIcon:
     ink = QColor(theme.current.ink)
     painter.setPen(QPen(ink, 1.2))
     painter.drawLine(4, size - 6, size - 4, size - 6)
-    if name in (BENDS, ARCHES):
+    kind = kinematics(name)
+    if kind.bends:
         shade = QColor(theme.current.curves[0])
         shade.setAlpha(110)
         painter.setBrush(shade)
-    if name == ARCHES:  # in plan
+    if kind.arches:  # in plan
         for block in outlines(Strip(36.0, 9.0, 0.0, 1.0, ((1.0, 0.0),), lies=True), 18.0, 0.22):
             painter.drawPolygon(QPolygonF([QPointF(size / 2 - 18.0 + z, size - 14 - x) for x, z in block]))
         for x in (size / 2 - 18.0, size / 2 + 18.0):
             painter.drawLine(QPointF(x, size - 14), QPointF(x, 8))
         painter.end()
         return QIcon(picture)
-    if name == BENDS:
+    if kind.bends_up:
         strip, between = Strip(40.0, 9.0, 0.0, 1.0, ((1.0, 4.5),)), 80.0 / 3.0  # where its multiplier is least
         for block in outlines(strip, between, 0.22):
             painter.drawPolygon(QPolygonF([QPointF(size / 2 + 2.0 - x, size - 6 - z) for x, z in block]))
         painter.drawLine(QPointF(size / 2 + 5, 4), QPointF(size / 2 + 5, 12))
         painter.end()
         return QIcon(picture)
-    turns = {"two_sided": (-0.22, 0.22), "one_sided": (0.25,), "both": (-0.22, 0.25)}[name]
-    if name != "two_sided":
+    turns = (-0.22, 0.22) if kind.both_ways else (-0.22, 0.25) if kind.rocks_both_ways else (0.25,)
+    if kind.turns_one_way:
         painter.fillRect(QRectF(size / 2 - 15, 10, 7, size - 16), QColor(theme.current.quiet))
-    for k, rotation in enumerate(turns):
+    for rotation in turns:
         shade = QColor(theme.current.curves[0 if rotation > 0 else 1])
         shade.setAlpha(110)
         painter.setBrush(shade)
         pen = QPen(ink, 1.2)
-        if name == "both" and k == 0:
+        if kind.turns_one_way and rotation < 0.0:
             pen.setStyle(Qt.PenStyle.DashLine)
         painter.setPen(pen)
         corners = outline(34.0, 12.0, 0.0, rotation)

@@ -8,8 +8,9 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.look import theme
 from app.look.language import number
-from core.case.hold import AT_A_HEIGHT
+from core.case.hold import AT_A_HEIGHT, TIE, Hold
 from core.case.wall import Wall
+from core.errors import InputError
 
 REACH, DEPTH, STRIP = 26.0, 7.0, 8.0
 """Length and depth of a floor, and breadth of what stands behind a wall over a height [px]."""
@@ -23,12 +24,14 @@ class HoldMark(NamedTuple):
 
     hold : its place among those of the wall, None where nothing is said to stand behind it
     low, high : heights [m], the same of a floor; words : what it stands, "" of contact
+    bar : a tie, which goes through the wall
     """
 
     hold: int | None
     low: float
     high: float
     words: str = ""
+    bar: bool = False
 
     def area(self, place: Callable[[QPointF], QPointF], face: float) -> QRectF:
         """Where it is drawn [px]. face : x of the inner face of the wall [m]"""
@@ -39,19 +42,30 @@ class HoldMark(NamedTuple):
 
 
 def find_hold_marks(wall: Wall, height: float) -> list[HoldMark]:
-    """The holds of a wall that leans or is held at its top; what is still to be given is its top, or its base."""
-    if not (wall.leans or wall.bends):
-        return []
-    marks = []
+    """The ties of a wall, and what a wall leans on; what is still to be given is its top, or its base."""
+    marks, leans = [], wall.leans or wall.bends
     for k, hold in enumerate(wall.hold):
-        strength = _given(hold.out_kn_m)
+        if not leans and hold.kind != TIE:
+            continue
+        strength = find_strength(wall, hold)
         words = "" if strength is None else f"{number(strength, '.3g')} kN/m"
         if hold.kind in AT_A_HEIGHT:
             at = _given(hold.h_m, height)
-            marks.append(HoldMark(k, at, at, words))
+            marks.append(HoldMark(k, at, at, words, hold.kind == TIE))
         else:
             marks.append(HoldMark(k, _given(hold.from_m, 0.0), min(height, _given(hold.to_m, height)), words))
-    return marks or ([HoldMark(None, 0.0, height)] if wall.leans else [])
+    behind = any(hold.is_contact for hold in wall.hold)
+    return marks if behind or not wall.leans else [*marks, HoldMark(None, 0.0, height)]
+
+
+def find_strength(wall: Wall, hold: Hold) -> float | None:
+    """What a hold stands outward [kN/m]; None where it is not given, or is contact."""
+    if hold.bar is None:
+        return _given(hold.out_kn_m)
+    try:
+        return 1e-3 * hold.tie(wall.length_m).bar.strength
+    except (InputError, TypeError):  # of a bar that is still to be given
+        return None
 
 
 def _given(value: Any, otherwise: Any = None) -> Any:
@@ -70,7 +84,11 @@ def paint_holds(
             QPen(ink if mark.words else quiet, 1.0, Qt.PenStyle.SolidLine if mark.words else Qt.PenStyle.DashLine)
         )
         painter.setBrush(QColor(theme.current.grid) if mark.hold is not None else Qt.BrushStyle.NoBrush)
-        painter.drawRect(area)
+        if mark.bar:
+            middle = area.center().y()
+            painter.drawLine(QPointF(area.left(), middle), QPointF(area.right(), middle))
+        else:
+            painter.drawRect(area)
         if mark.words and mark.low == mark.high:
             painter.drawLine(place(QPointF(-half, mark.low)), place(QPointF(half, mark.low)))
             painter.setPen(QPen(ink, 3.0))

@@ -6,7 +6,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from app.look import theme
 from app.look.language import number
 from core.case.spanning import make_spanning_part, spans
-from core.case.wall import ARCHES, Wall
+from core.case.wall import Wall
 from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
 from core.errors import InputError
 
@@ -17,7 +17,7 @@ SHARE, MARGIN = 0.4, 10.0
 def plan_of(wall: Wall) -> Bending | None:
     """The mechanism of a wall between its transverse walls; None without them, or where something is missing."""
     try:
-        if wall.mechanism == ARCHES:
+        if wall.kinematics.arches:
             return bending(wall.in_si)
         return bending(make_spanning_part(wall).in_si) if spans(wall) else None
     except (InputError, TypeError):

@@ -166,8 +166,8 @@ class ClientView(QDialog):
         for side in sides:
             drawing = WallDrawing(with_sizes=False)
             drawing.show_wall(side.wall.wall)
-            drawing.one_sided = side.wall.mechanism == "one_sided"
-            drawing.bars = [(load.h_m, 0) for load in side.wall.wall.load if load.is_tie]
+            drawing.one_sided = side.wall.kinematics.one_way
+            drawing.bars = [(tie.bar.height, 0) for tie in side.wall.wall.in_si.ties]
             drawing.setAccessibleName(f"{side.title}: {words_of(side)}")
             label = RichLabel(
                 f"<span style='{theme.font_points(1.65)} font-weight:600'>{html.escape(side.title)}</span>"

@@ -243,12 +243,16 @@ class Navigator(QObject):
             point_at_key(self, key, part == "reason")
         elif what == "variant":
             self.then_input(self.walls.add_variant)
-            self.walls.sections["loads"].unfold()  # a tie, or less thrust
-            self.walls.loads.add_button.setFocus()
+            self.walls.sections["holds"].unfold()  # a tie, or what stands more
+            self.walls.holds.add_button.setFocus()
         elif what == "holds":
             self.show_input("wall")
             self.walls.sections["holds"].unfold()
             self.walls.holds.focus_missing()
+        elif what == "set_aside":
+            self.show_input("wall")
+            self.walls.sections["hinges"].unfold()
+            self.walls.set_aside.add_button.setFocus()
         elif what == "generate":
             self.show_input("records")
             self.records.generate()

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QGroupBox, QLineEdit, QScrollArea, QWidget
 from app.input.fields import Field
 from app.input.reasons_form import ReasonField
 from app.look.section import FoldingSection, unfold_to
-from core.case.load_rules import OF_A_TIE
-from core.case.loads import Bars, Load
+from core.case.hold import Bars, Hold
+from core.case.tie_rules import OF_A_TIE
 
 if TYPE_CHECKING:
     from app.shell.navigator import Navigator
@@ -29,9 +29,9 @@ def point_at(navigator: "Navigator", widget: QWidget) -> None:
 
 def _way_to(navigator: "Navigator", field: Field) -> QWidget:
     """What makes a field there is none of appear: a load to be added, the tick of its group, its section."""
-    loads = navigator.walls.loads
-    if loads.isAncestorOf(field) and not loads.list.isVisibleTo(loads.window()):
-        return loads.add_button
+    for form in (navigator.walls.loads, navigator.walls.holds, navigator.walls.set_aside):
+        if form.isAncestorOf(field) and not form.list.isVisibleTo(form.window()):
+            return form.add_button
     above = field.parentWidget()
     while above is not None:
         if isinstance(above, FoldingSection):
@@ -51,9 +51,8 @@ def point_at_key(navigator: "Navigator", key: str, reason: bool = False) -> None
     if not fields:
         return
     field = fields[0]
-    loads = navigator.walls.loads
-    if field.section is Bars or (field.section is Load and key in OF_A_TIE):
-        loads.show_tie()
+    if field.section is Bars or (field.section is Hold and key in OF_A_TIE):
+        navigator.walls.holds.show_tie()
     point_at(navigator, field)
 
 

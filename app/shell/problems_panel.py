@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING, NamedTuple
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QVBoxLayout
 
+from app.input.entries_form import entry_named
 from app.input.fields import Field
 from app.look import theme
 from app.look.labels import PlainLabel, RichLabel
 from app.look.language import describe_message, tr, wall_title
 from app.look.section import unfold_to
 from app.shell.pointing import first_empty, point_at
-from core.case.loads import Bars, Load
+from core.case.hold import Bars
+from core.case.loads import Load
 from core.case.problems import load_of, wall_of
 from core.errors import InputError
 
@@ -171,7 +173,9 @@ class ProblemsPanel(QFrame):
         title, load = place
         if error.code == "one_geometry" and self._is_given(field):
             return False
-        if field.section in (Load, Bars) and load not in (None, self.window_of.walls.loads.list.currentRow()):
+        if field.section is Load and load not in (None, self.window_of.walls.loads.list.currentRow()):
+            return False
+        if field.section is Bars and entry_named(error, "hold") != self.window_of.walls.holds.list.currentRow() + 1:
             return False
         return field.named_in(error, title)
 
@@ -189,6 +193,7 @@ class ProblemsPanel(QFrame):
             window.navigator.show_input("wall", row)
             window.walls.body.point_at(error)
             window.walls.holds.point_at(error)
+            window.walls.set_aside.point_at(error)
         if row is not None and load is not None:
             window.walls.loads.list.setCurrentRow(load)
         here = self._place_of(error)

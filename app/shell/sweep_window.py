@@ -37,7 +37,7 @@ from app.views.study_tabs import figure_chart, table_view
 from app.work.runner import progress_word
 from app.work.worker import Job
 from core.case.keys import unit_in_form
-from core.case.loads import ReturnWalls
+from core.case.loads import Load, ReturnWalls
 from core.case.number import parse_quantity
 from core.case.schema import Case
 from core.case.site import Building
@@ -66,9 +66,9 @@ def key_words(case: Case, k: int, key: SweepKey) -> str:
     words = key_text(key.section, key.name, ".caption")
     if key.section in (Building, ReturnWalls):
         words = f"{tr('Building') if key.section is Building else result_word('key_return_walls')}: {words}"
-    if key.load is not None:
-        load = case.wall[k].load[key.load]
-        words = f"{result_word(f'choice_{load.kind}')} {key.load + 1}: {words}"
+    if key.index is not None:
+        entries = case.wall[k].load if key.section is Load else case.wall[k].hold
+        words = f"{result_word(f'choice_{entries[key.index].kind}')} {key.index + 1}: {words}"
     return f"{words} [{unit}]" if unit else words
 
 

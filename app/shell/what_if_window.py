@@ -1,8 +1,9 @@
 """The window What if: sizes, loads, ties and a_g of a wall by sliders, zeta of every check redrawn as they move."""
 
 import html
+from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QDialog, QGridLayout, QHBoxLayout, QLabel, QPushButton, QSlider, QVBoxLayout, QWidget
@@ -279,13 +280,18 @@ class WhatIfWindow(QDialog):
             return None
 
     def _rounded(self, moved: WallContext) -> WallContext:
-        """With the loads that follow a slider in the digits they are written with."""
-        wall, loads = moved.case.wall[0], []
-        for was, load in zip(require_value(self.setting).case.wall[0].load, wall.load, strict=True):
-            decimals = {"kn_m": FORCE, "d_m": PLACE}
-            other = {key: getattr(load, key) for key in decimals if getattr(load, key) != getattr(was, key)}
-            loads.append(replace(load, **{key: round(value, decimals[key]) for key, value in other.items()}))
-        return replace_wall(moved, replace(wall, load=tuple(loads)))
+        """With the loads and ties that follow a slider in the digits they are written with."""
+        wall, was = moved.case.wall[0], require_value(self.setting).case.wall[0]
+
+        def rounded(entries: Iterable, before: Iterable, **digits: int) -> tuple:
+            changed = []
+            for entry, old in zip(entries, before, strict=True):
+                keys = (key for key in digits if getattr(entry, key) != getattr(old, key))
+                changed.append(replace(entry, **{key: round(getattr(entry, key), digits[key]) for key in keys}))
+            return tuple(changed)
+
+        loads, holds = rounded(wall.load, was.load, kn_m=FORCE, d_m=PLACE), rounded(wall.hold, was.hold, out_kn_m=FORCE)
+        return replace_wall(moved, replace(wall, load=loads, hold=holds))
 
     def follow(self) -> None:
         """The histories of the values now, off the thread of the window: at a glance, then as a run finds them. Earlier
@@ -389,9 +395,11 @@ class WhatIfWindow(QDialog):
         """The case with the values of the sliders."""
         case = require_value(self.case)
         wall, new = case.wall[self.row], moved.case.wall[0]
-        sizes = ("thickness_m", "slenderness_deg", "height_over_thickness", "height_m", "load")
+        sizes = ("thickness_m", "slenderness_deg", "height_over_thickness", "height_m")
         walls = list(case.wall)
-        kept = {key: getattr(new, key) for key in sizes}
+        kept: dict[str, Any] = {key: getattr(new, key) for key in sizes}
+        moved_holds = iter(new.hold)  # the tie that is sought is none of them
+        kept["hold"] = tuple(hold if hold.design else next(moved_holds) for hold in wall.hold)
         walls[self.row] = replace(wall, **kept | {"load": new.load[: len(wall.load)]})
         floors = infer_floor_supports(case.building, wall, new)  # they bear where the sliders moved them
         case = replace(case, wall=tuple(walls), building=floors)

@@ -54,6 +54,8 @@ PLACE_OF_CODE = {
     "other_building": "building",
     "heights_left_out": "key:hinge_heights",
     "hinges_as_asked": "key:hinge_heights",
+    "to_set_aside": "key:hinge_heights",
+    "to_set_aside_stretch": "set_aside",
 }
 """Code of what is to be done, or of what limits the verdict -> where that leads, see `CheckTab.asked`."""
 

@@ -82,7 +82,7 @@ class MovingWalls(QWidget):
         self.drawings[1].setVisible(False)
         for drawing in self.drawings:
             drawing.show_wall(wall.wall)
-            drawing.one_sided = wall.mechanism == "one_sided"
+            drawing.one_sided = wall.kinematics.one_way
 
     def take(self, films: list[Film], bars: Sequence[BarHistory]) -> None:
         """Take other histories. films : of the record, and of the second one where there is one;

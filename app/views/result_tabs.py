@@ -68,7 +68,7 @@ class IntensityTab(ResultTab):
         si = np.array([entry.intensity for entry in known])
         self.chart.points(tr("time histories"), si / CM, [entry.q_eff for entry in known], 0, 9)
         x = np.geomspace(0.7 * si.min(), 1.4 * si.max(), 60)
-        one_sided = wall.mechanism == "one_sided"
+        one_sided = wall.kinematics.one_way
         form = "Eq. 16" if one_sided else "Eq. 15"
         y = np.array([closed_form_q_eff(wall.block.slenderness, wall.block.height, v, one_sided) for v in x])
         if not self.log.isChecked():
@@ -100,7 +100,7 @@ class IntensityTab(ResultTab):
         known = [entry for entry in known if entry.scaled is not None]
         scaled = np.array([entry.scaled for entry in known])
         self.scale_free.points(tr("time histories"), scaled, [entry.q for entry in known], 0, 9)
-        law = law_of(wall.mechanism == "one_sided", wall.law, "q")
+        law = law_of(wall.kinematics.one_way, wall.law, "q")
         if law is not None:
             ratio = loss_ratio(block, wall.restitution)
             pga = np.array([entry.pga for entry in known])

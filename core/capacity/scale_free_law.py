@@ -15,6 +15,7 @@ from core.ground.response_spectrum import SCALED_PERIODS
 from core.text.sentence import Number, Sentence, sentence
 from core.wall.block import Block
 from core.wall.impact import Restitution
+from core.wall.kinematics import kinematics
 from core.wall.moment_rotation import LAWS, MomentLaw
 from core.wall.restitution import overturning_velocity
 
@@ -252,7 +253,7 @@ def fitted() -> dict[tuple[str, str, str], ScaleFreeLaw]:
     for name, stored in json.loads(RESULTS.read_text(encoding="utf-8"))["fits"].items():
         mechanism, moment, quantity = name.split()
         law = law_from(stored)
-        if mechanism == "two_sided" and moment != "rigid":
+        if kinematics(mechanism).both_ways and moment != "rigid":
             law = replace(law, scaled_range=(law.scaled_range[0], min(TRILINEAR_TO, law.scaled_range[1])))
         if quantity in ("q", "q_slv"):
             laws[mechanism, moment, quantity] = law

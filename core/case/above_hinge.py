@@ -21,15 +21,10 @@ def part_name(name: str, hinge: float) -> str:
     return f"{name} (+{hinge:.4g} m)" if hinge else name
 
 
-def numbers_above(wall: Wall, hinge: float) -> tuple[int, ...]:
-    """Numbers of the loads of the part of a wall above a hinge [m above its base]."""
-    return tuple(n for n, load in enumerate(wall.load, start=1) if load.h_m > hinge + 1e-9)
-
-
 def loads_above(wall: Wall, hinge: float, face: float) -> tuple:
     """Loads of the part above a hinge, with heights and distances from its own base and face. face : x of the outer
     face of the wall there [m]"""
-    kept = (wall.load[n - 1] for n in numbers_above(wall, hinge))
+    kept = (load for load in wall.load if load.h_m > hinge + 1e-9)
     return tuple(
         replace(load, h_m=load.h_m - hinge, d_m=None if load.d_m is None else load.d_m - face) for load in kept
     )
@@ -58,9 +53,6 @@ def cut_above_hinge(wall: Wall, hinge: float) -> Wall:
         load=loads,
         hold=tuple(above for hold in wall.hold if (above := hold.above(hinge)) is not None),
         unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),
-        tie_height_m=None
-        if wall.tie_height_m is None or wall.tie_height_m < hinge + MIN_HEIGHT_ABOVE
-        else wall.tie_height_m - hinge,
     )
     if part.parts and find_body_fault(part.parts, require_value(part.thickness)) is not None:
         here = (place("wall", name=wall.title),)

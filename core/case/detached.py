@@ -2,8 +2,7 @@
 
 from dataclasses import replace
 
-from core.case.hold import Hold
-from core.case.loads import Load
+from core.case.hold import TIE, Hold
 from core.case.solids import Leaf
 from core.case.wall import Wall
 from core.errors import InputError, place
@@ -23,7 +22,8 @@ def make_leaf_wall(wall: Wall) -> Wall:
     and what drags the wall along behind is not its own. It leans on what is behind it, which shows nothing of it."""
     leaf = require_value(wall.leaf)
     loads = [load for load in wall.load if not load.is_weight or require_value(load.d_m) <= leaf.thickness_m]
-    loads = [replace(load, d_m=None) if load.kind == "thrust" else load for load in loads]
+    loads = [replace(load, d_m=None) if load.is_thrust else load for load in loads]
+    rows = _connectors(leaf, require_value(wall.height_m))
     return replace(
         wall,
         name=f"{wall.name} ({leaf_label(leaf)})",
@@ -35,13 +35,8 @@ def make_leaf_wall(wall: Wall) -> Wall:
         return_wedges=None,
         return_walls=None,
         leaf=None,
-        load=(*loads, *_connectors(leaf, require_value(wall.height_m))),
-        unloaded_confirmed=wall.unloaded_confirmed and not leaf.connector_kn_m,
-        tie_height_m=None,
-        tie_bar_length_m=None,
-        tie_elongation_m=None,
-        tie_spacing_m=None,
-        hold=tuple(_behind_leaf(hold, wall) for hold in wall.hold),
+        load=tuple(loads),
+        hold=(*(_behind_leaf(hold, wall) for hold in wall.restraints), *wall.ties, *rows),
     )
 
 
@@ -56,13 +51,14 @@ def leaf_label(leaf: Leaf) -> str:
     return f"t {leaf.thickness_m:.4g} m"
 
 
-def _connectors(leaf: Leaf, height: float) -> list[Load]:
+def _connectors(leaf: Leaf, height: float) -> list[Hold]:
     """The rows of connectors of a leaf: ties that hold up to their slip, and break there."""
     if leaf.connector_kn_m is None:
         return []
     step = require_value(leaf.row_spacing_m)
     strain = elongation_at_yield(1.0, DEFAULT_STRENGTH)
-    row = Load("tie", leaf.connector_kn_m, step, bar_length_m=1e-3 * require_value(leaf.slip_mm) / strain)
+    length = 1e-3 * require_value(leaf.slip_mm) / strain
+    row = Hold(TIE, h_m=step, out_kn_m=leaf.connector_kn_m, bar_length_m=length)
     rows = int((height - BELOW_TOP) / step + 1e-9)
     return [replace(row, h_m=step * k) for k in range(1, rows + 1)]
 
@@ -72,7 +68,7 @@ def check_leaf(wall: Wall) -> None:
     if (leaf := wall.leaf) is None:
         return
     here = (place("wall", name=wall.name), place("leaf"))
-    if wall.mechanism not in ("one_sided", "both"):
+    if not wall.leans:
         raise InputError("leaf_mechanism", place=here, found=wall.mechanism)
     if wall.solid or wall.corner or any(step.flush != "outer" for step in wall.steps):
         raise InputError("leaf_shape", place=here)

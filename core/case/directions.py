@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
+from core.case.hold import TIE
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
@@ -32,7 +33,7 @@ def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
 def falls_sooner_along(wall: Wall) -> bool:
     """Whether a wall that nothing holds is shorter than thick, so that it falls along its length first, and that is
     not looked at."""
-    if wall.all_directions or wall.hold or wall.leans or wall.bends or None in (wall.thickness, wall.length_m):
+    if wall.all_directions or wall.restraints or wall.leans or wall.bends or None in (wall.thickness, wall.length_m):
         return False
     return require_value(wall.length_m) < require_value(wall.thickness)
 
@@ -77,13 +78,15 @@ def check_directions(wall: Wall) -> None:
     if not wall.all_directions:
         return
     here = (place("wall", name=wall.name),)
-    if wall.mechanism != "two_sided":
+    if not wall.kinematics.both_ways:
         raise InputError("directions_two_sided", place=here, key="all_directions", found=wall.mechanism)
     given = {"thickness_m": wall.thickness, "height_m": wall.height_m, "length_m": wall.length_m}
     if missing := next((key for key, value in given.items() if value is None), None):
         raise InputError("directions_need", place=here, key=missing, flag=Key("all_directions"))
     if wall.unit_weight_kn_m3 is None:
         raise InputError("directions_need", place=here, key="unit_weight_kn_m3", flag=Key("all_directions"))
+    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.kind == TIE), None):
+        raise InputError("directions_tie", place=(*here, place("hold", n=n)), key="kind")
     if wall.has_shape:
         raise InputError("directions_prism", place=here, key="all_directions")
     middle = 0.5 * require_value(wall.thickness)

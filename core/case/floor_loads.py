@@ -8,7 +8,7 @@ from core.case.schema import Case
 from core.case.site import Building, FloorLoad
 from core.case.solids import Corner
 from core.case.spanning import make_spanning_part
-from core.case.wall import ARCHES, Wall
+from core.case.wall import Wall
 from core.errors import InputError, place, section
 from core.known import require_value
 from core.text.sentence import Key
@@ -173,7 +173,7 @@ def _on_corner(wall: Wall) -> tuple[float, float]:
     """(H, V) that the ends of a wall push with along and across it [kN/m]. Ties along it pull only as the ends part:
     before, and after one breaks, the masonry beyond carries the arch, and the corner takes what that gives; nothing
     where there is none. V : all that holds an end across, of which the corner is asked"""
-    arch = require_value((make_spanning_part(wall) if wall.mechanism != ARCHES else wall).in_si.arch)
+    arch = require_value((make_spanning_part(wall) if not wall.kinematics.arches else wall).in_si.arch)
     if arch.tied:
         if arch.shoulder <= MIN_THRUST:
             return 0.0, 0.0

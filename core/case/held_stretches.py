@@ -6,8 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from core.case.hold import AT_A_HEIGHT, Document, Hold, ShareOfHold
-from core.case.loads import Load
+from core.case.hold import AT_A_HEIGHT, TIE, Document, Hold, ShareOfHold
 from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
@@ -37,7 +36,7 @@ class HeldStretch(NamedTuple):
 
 def stands_outward(hold: Hold) -> bool:
     """Whether a floor, a roof, a ring beam or an anchor is said to hold a wall outward."""
-    return hold.kind in AT_A_HEIGHT and hold.out_kn_m is not None
+    return hold.kind in AT_A_HEIGHT and hold.kind != TIE and hold.out_kn_m is not None
 
 
 def find_held_stretches(wall: Wall) -> list[HeldStretch]:
@@ -46,7 +45,7 @@ def find_held_stretches(wall: Wall) -> list[HeldStretch]:
     what both ask for is then within what it stands; a thrust at a hold, or above the highest, is taken first. Empty
     where a thrust acts between two holds, nothing is behind the wall up to the highest, no stretch is slender enough to
     bend, the stub above may fall, or the wall is not one sheet."""
-    taut = {load.h_m for load in wall.load if load.is_tie and not load.slack_mm}
+    taut = {tie.h_m for tie in wall.ties if not tie.slack_mm}
     held = len(taut) > 1 or any(stands_outward(hold) for hold in wall.hold)
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     if not held or not sized or not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
@@ -87,7 +86,7 @@ def _less_thrusts(wall: Wall, levels: list[Hold], pairs: list[tuple[float, float
     """The holds less the thrusts they take first; none where one acts between two, or pulls inward."""
     left = list(levels)
     for load in wall.load:
-        if load.kind != "thrust":
+        if not load.is_thrust:
             continue
         n = next((n for n, (_, high) in enumerate(pairs) if abs(load.h_m - high) <= SAME_HEIGHT), None)
         n = len(pairs) - 1 if n is None and load.h_m > pairs[-1][1] else n
@@ -108,7 +107,7 @@ def _stands_above(wall: Wall, top: float) -> bool:
     face = (contact_at(wall.parts, top) or (0.0, 0.0))[0] if wall.parts else 0.0
     held, pushed = weight * (x - face - wall.setback), weight * over
     for load in above:
-        size, lever = require_value(load.kn_m) if not load.is_tie else 0.0, load.h_m - top
+        size, lever = require_value(load.kn_m), load.h_m - top
         held += size * (require_value(load.d_m) - face - wall.setback) if load.is_weight else -size * lever
         pushed += size * lever if load.is_weight and load.pushes else 0.0
     return held >= STUB_PUSH * pushed
@@ -145,20 +144,20 @@ def _outward_holds(wall: Wall) -> Iterator[Hold]:
     for hold in wall.hold:
         if stands_outward(hold):
             yield hold if hold.shows_strength else replace(hold, evidence=None)
-    for load, in_si in zip(wall.load, wall.in_si.loads, strict=True):
-        if load.is_tie and not load.slack_mm:
-            more = require_value(in_si.tie).stands_more
-            share = 1.0 if more else BRITTLE
-            shown = _shown_tie(wall, load, more)
-            yield Hold("tie", h_m=load.h_m, out_kn_m=share * 1e-3 * in_si.force, evidence=shown)
+    for hold in wall.ties:
+        if not hold.slack_mm:
+            tie = hold.tie(wall.length_m)
+            stands = 1e-3 * tie.bar.strength * (1.0 if tie.stands_more else BRITTLE)
+            shown = _shown_tie(wall, hold, tie.stands_more)
+            yield Hold(TIE, hold.name, h_m=hold.h_m, out_kn_m=stands, evidence=shown)
 
 
-def _shown_tie(wall: Wall, load: Load, stands_more: bool) -> Document | None:
+def _shown_tie(wall: Wall, tie: Hold, stands_more: bool) -> Document | None:
     """What shows that a tie holds: the engineer's reasons for its anchorage, and for an elongation that counts."""
     reasons = wall.justification
     if reasons is None or (stands_more and not reasons.elongation_m):
         return None
-    anchored = load.bar is not None and load.bar.anchorage_kn is not None
+    anchored = tie.bar is not None and tie.bar.anchorage_kn is not None
     shown = reasons.anchorage_kn or reasons.elongation_m
     return Document("calculation", shown) if shown and (anchored or reasons.anchorage_kn) else None
 
@@ -166,7 +165,7 @@ def _shown_tie(wall: Wall, load: Load, stands_more: bool) -> Document | None:
 def _bent_above(stretch: Wall, wall: Wall, high: float) -> list[Wall]:
     """The last stretch as a thrust above its hold bends it: the weights on its top stand as much nearer to its outer
     face; none where they would be off it."""
-    thrusts = (load for load in wall.load if load.kind == "thrust" and load.h_m > high)
+    thrusts = (load for load in wall.load if load.is_thrust and load.h_m > high)
     moment = sum(require_value(load.kn_m) * (load.h_m - high) for load in thrusts)
     top = require_value(stretch.height_m)
     weight = sum(require_value(load.kn_m) for load in stretch.load if load.h_m >= top)

@@ -2,8 +2,9 @@
 
 from dataclasses import replace
 
+from core.case.hold import TIE
 from core.case.solids import Solid
-from core.case.wall import BENDS, Wall
+from core.case.wall import Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.known import require_value
@@ -15,7 +16,7 @@ OF_HISTORIES = ("restitution", "velocity_ratio")
 
 def check_held_top(wall: Wall) -> None:
     """Raise InputError for a wall held at its top that is not complete, or has what does not go with it."""
-    if wall.mechanism != BENDS:
+    if not wall.kinematics.bends_up:
         return
     here = (place("wall", name=wall.name),)
     for key in ("solid", "return_wedges", "corner", "gable_m", "out_of_plumb_m"):
@@ -30,8 +31,8 @@ def check_held_top(wall: Wall) -> None:
         raise InputError("bending_finds_hinge", place=here, key="hinge_heights")
     if wall.return_walls is not None:
         raise InputError("bending_return_walls", place=here, key="return_walls")
-    if wall.tie_height_m is not None:
-        raise InputError("bending_tie", place=here, key="tie_height_m")
+    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.kind == TIE), None):
+        raise InputError("bending_tie", place=(*here, place("hold", n=n)), key="kind")
     if wall.free_element:
         raise InputError("bending_not_free", place=here, key="free_element")
     for key, given in (("height_m", wall.height_m), ("unit_weight_kn_m3", wall.unit_weight_kn_m3)):
@@ -39,9 +40,7 @@ def check_held_top(wall: Wall) -> None:
             raise InputError("bending_needs", place=here, key=key)
     for n, load in enumerate(wall.load, start=1):
         on = (*here, place("load", n=n))
-        if load.is_tie:
-            raise InputError("bending_tie", place=on, key="kind")
-        if load.kind != "vertical":
+        if not load.rests:
             raise InputError("bending_load", place=on, key="kind")
         if load.h_m > require_value(wall.height_m) * (1.0 + TOP_TOLERANCE):
             raise InputError("bending_load_height", place=on, key="h_m", found=load.h_m, height=wall.height_m)

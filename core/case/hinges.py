@@ -1,6 +1,6 @@
 """The hinges of a wall of several storeys: one wall for each, from the hinge up."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -10,7 +10,7 @@ from core.case.directions import directions_of
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
 from core.case.held_stretches import HeldStretch, find_held_stretches, highest_anchor
 from core.case.held_top import mirror_inward
-from core.case.hold import OF_BUILDING
+from core.case.hold import OF_BUILDING, TIE, Hold
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.spanning import make_spanning_part, named_spanning, spans
@@ -22,7 +22,7 @@ from core.case.spans_between_ties import (
     named_between,
     opens_inside,
 )
-from core.case.wall import ARCHES, Wall
+from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, bending
 from core.errors import InputError, place
 from core.known import require_value
@@ -84,7 +84,7 @@ class WallPart:
     @property
     def own_name(self) -> str:
         """Name of the wall as people read it, without the variant."""
-        if self.wall.arch is not None and self.top is not None and self.wall.mechanism == ARCHES:
+        if self.wall.arch is not None and self.top is not None and self.wall.kinematics.arches:
             return named_spanning(self.body.name, require_value(self.wall.arch.spacing_m))
         if self.held:
             return f"{self.body.name} [{self.hinge:.4g}–{self.top:.4g} m]"
@@ -135,7 +135,8 @@ def default_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     thickness there is above [m]. A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
     if wall.height_m is None or wall.thickness is None or wall.bends:
         return ()
-    loads = (*(load.h_m for load in wall.load), *([] if wall.tie_height_m is None else [wall.tie_height_m]))
+    ties = (require_value(hold.h_m) for hold in wall.hold if hold.kind == TIE)
+    loads = (*(load.h_m for load in wall.load), *ties)
     shape = changes(wall.parts) if wall.parts else ()
     others = [*loads, *(storey_ends(wall, building) if building else ())]
     apart = [height for height in others if all(abs(height - z) > SAME_HINGE + SNAP for z in shape)]
@@ -203,7 +204,7 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
     turning = []
     for hinge in (0.0, *hinges):
         above = add_corner_thrust(cut_above_hinge(whole, hinge))
-        unheld = bool(whole.hold) and not above.hold and not any(load.is_tie for load in above.load)
+        unheld = bool(whole.restraints) and not above.restraints and not above.ties
         free = unheld or (held_to is not None and hinge >= held_to - SAME_HINGE)
         turning.append(replace(part, hinge=hinge, wall=make_free(above) if free else above))
     spans = _spans_of_leaf(whole) if part.aspect else find_bending_spans(whole, hinges)
@@ -243,7 +244,7 @@ def best_way(parts: Sequence[WallPart], worst: Callable[[list[int]], Any]) -> li
 def _counts_anyway(part: WallPart, top: float) -> bool:
     """Whether a part moves whatever holds the wall below a height: what is above, between transverse walls, a leaf."""
     free = part.turns and (part.hinge >= top - SAME_HINGE or not part.wall.leans)
-    return bool(part.aspect) or part.wall.mechanism == ARCHES or free
+    return bool(part.aspect) or part.wall.kinematics.arches or free
 
 
 def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
@@ -261,12 +262,17 @@ def highest_hold(wall: Wall, building: Building | None) -> float | None:
     tops = _tops_of_holds(wall, building)
     if None in tops or not tops:
         return None
-    held = max([*(top for top in tops if top is not None), *(load.h_m for load in wall.load if load.is_tie)])
+    held = max([*(top for top in tops if top is not None), *_heights(wall.ties)])
     if held <= 0.0:
         return None
     faces = contact_at(wall.parts, held) if wall.parts and held < wall.height_m else None
     thickness = faces[1] - faces[0] if faces else wall.thickness or 0.0
     return held if wall.height_m - held > max(MIN_FREE_HEIGHT, thickness) else None
+
+
+def _heights(holds: Iterable[Hold]) -> set[float]:
+    """Heights of holds above the base of their wall [m]."""
+    return {require_value(hold.h_m) for hold in holds}
 
 
 def _tops_of_holds(wall: Wall, building: Building | None) -> list[float | None]:
@@ -294,12 +300,9 @@ def make_free(wall: Wall) -> Wall:
         "law": "auto",
         "free_element": None,
     }
-    free = replace(wall, **sides, hold=(), **NO_DESIGN)
+    free = replace(wall, **sides, hold=())
     return free if free.in_si.rocks_both_ways else wall
 
-
-NO_DESIGN: dict[str, Any] = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"))
-"""Keys of a wall for which no tie is designed."""
 
 MOST_ROWS, MOST_SPANS = 8, 6
 """Rows of connectors above which a leaf is looked at, and stretches up to the highest of them: evenly spread where
@@ -327,7 +330,7 @@ def _hinges_of_leaf(leaf: Wall, building: Building | None) -> list[float]:
     """The usual hinges of a leaf, its rows of connectors among them, and those that are asked for."""
     asked = leaf.hinge_heights
     given = asked if asked is not None and not isinstance(asked, str) else ()
-    rows = {load.h_m for load in leaf.load if load.is_tie}
+    rows = _heights(leaf.ties)
     usual = default_hinges(leaf, building)
     there = [height for height in usual if height in rows]
     soonest = sorted(there, key=lambda row: multiplier_at_yield(cut_above_hinge(leaf, row)))[:1]
@@ -349,7 +352,7 @@ def count_wall_parts(asked: Wall, building: Building | None) -> int:
 def turns_above_ties(wall: Wall, hinge: float) -> bool:
     """Whether a wall turns about the highest of the ties above a hinge of its before it bends between: it is too stocky
     there."""
-    ties = [load.h_m for load in wall.load if load.is_tie and load.h_m > hinge]
+    ties = [height for height in _heights(wall.ties) if height > hinge]
     stocky = all(tie - hinge < MIN_SLENDERNESS * require_value(wall.thickness) for tie in ties)
     return bool(ties) and stocky and max(ties) in default_hinges(wall, None)
 
@@ -366,7 +369,7 @@ def turning_hinges(wall: Wall, building: Building | None) -> Sequence[float]:
         hinges = sorted([*hinges, anchor])
     ties = {high for _, high in find_bending_spans(wall, hinges)}
     if any(turns_above_ties(wall, hinge) and opens_inside(wall, hinge) for hinge in (0.0, *hinges)):
-        ties.add(max(load.h_m for load in wall.load if load.is_tie))
+        ties.add(max(_heights(wall.ties)))
     if not ties:
         return hinges
     more = [height for height in default_hinges(wall, building) if height in ties and height not in hinges]

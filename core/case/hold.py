@@ -1,27 +1,32 @@
 """What holds a wall: each hold with its place, what it stands, and the document that shows it."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import MISSING, dataclass, replace
 
-from core.case.keys import choice_key, key, number_key, text_key
+from core.case.keys import choice_key, flag_key, key, number_key, text_key
 from core.known import require_value
-from core.wall import arch
-from core.wall.ties import elongation_at_yield
+from core.wall import arch, masonry, ties
 
-AT_A_HEIGHT = "floor", "roof", "ring_beam", "anchor", "tie"
+TIE = "tie"
+"""Kind of hold that yields, and is gone beyond the elongation it stands."""
+
+AT_A_HEIGHT = "floor", "roof", "ring_beam", "anchor", TIE
 """Holds that have a height."""
 
 OF_BUILDING = "floor", "roof"
 """Holds up to the highest of which what has no end of its own holds a wall."""
 
-OUTWARD_ALONE = "anchor", "tie"
+OUTWARD_ALONE = "anchor", TIE
 """Holds that pull a wall back and stop it from nothing inward."""
 
 BETWEEN = "cross_walls", "buttress"
 """Holds that hold a wall only where they stand along it."""
 
-HOLDS = ("floor", "roof", "ring_beam", "anchor", *BETWEEN, "contact")
+HOLDS = (*AT_A_HEIGHT, *BETWEEN, "contact")
 """Kinds of holds."""
+
+LEAST_BELOW_SOUGHT = 0.1
+"""Least height of the part of a wall below a tie that is sought [m]."""
 
 PRESENCE = "drawing", "opening", "survey", "photograph"
 STRENGTH = "test", "calculation", "dimensioned_drawing"
@@ -42,6 +47,48 @@ class Document:
 
 
 @dataclass(frozen=True)
+class Bars:
+    """[wall.hold.bar]: the steel bars of a tie, over the length of the wall.
+
+    thread_mm : diameter of the thread at their ends, that of the bar if none is given
+    fy_mpa, fu_mpa : 235 and 360 if none is given
+    existing : of an existing building: f_y and f_u are given mean values, which FC divides
+    anchorage_kn : least resistance of the anchorage of a bar (plate, bearing and punching of the masonry), found by the
+        engineer; without it the elongation of the bars is not counted on
+    """
+
+    number: int = number_key(1, 500, MISSING, whole=True)
+    diameter_mm: float = number_key(4.0, 100.0, MISSING, unit="mm")
+    fy_mpa: float | None = number_key(100.0, 1500.0, unit="MPa")
+    fu_mpa: float | None = number_key(100.0, 2000.0, unit="MPa")
+    thread_mm: float | None = number_key(4.0, 100.0, unit="mm")
+    existing: bool = flag_key()
+    anchorage_kn: float | None = number_key(0.0, 10000.0, unit="kN", exclusive=True)
+
+    @property
+    def strength(self) -> float:
+        """f_y [MPa]."""
+        return self.fy_mpa or 1e-6 * ties.DEFAULT_STRENGTH
+
+    @property
+    def tensile(self) -> float:
+        """f_u [MPa]."""
+        return self.fu_mpa or 1e-6 * ties.DEFAULT_TENSILE
+
+    def in_si(self) -> ties.Steel:
+        """The bars in SI."""
+        return ties.Steel(
+            self.number,
+            1e-3 * self.diameter_mm,
+            1e6 * self.strength,
+            1e6 * self.tensile,
+            None if self.thread_mm is None else 1e-3 * self.thread_mm,
+            self.existing,
+            None if self.anchorage_kn is None else 1e3 * self.anchorage_kn,
+        )
+
+
+@dataclass(frozen=True)
 class Hold:
     """[[wall.hold]]: what holds a wall.
 
@@ -49,13 +96,20 @@ class Hold:
     h_m : above the base of the wall; of cross walls, a buttress or contact from_m to to_m in its place, where to_m is
         by default the lowest of the highest floor or roof, the eaves and the top of the building
     out_kn_m : what it stands outward, per metre of wall; of cross walls and buttresses per metre of height, across each
-        end of the wall between them beside the friction of its thrust; without it a hold is contact
-    spacing_m : clear distance L between two cross walls or buttresses, between which the wall spans
+        end of the wall between them beside the friction of its thrust; of a tie its force at yield, in place of `bar`;
+        without it a hold is contact
+    spacing_m : clear distance L between two cross walls or buttresses, between which the wall spans; of a tie to be
+        designed that of its bars along the wall
     tie_kn_m : yield force of the ties along the wall that its ends push against, per metre of its height
     tie_bar_length_m, tie_elongation_m : length of a bar of these, and the elongation it stands
     shoulder_length_m, shoulder_thickness_m : of the masonry beyond the last cross wall, along the wall and across it
     corner_wall : wall of the case with a [wall.corner] that stands there, and takes the thrust; corner_side : which of
         its two walls this one goes on from, 1 or 2
+    bar_length_m and what follows : of a tie only
+    fy_mpa : with out_kn_m, gives the elongation at yield; 235 if none is given
+    elongation_m : what it stands before it is gone; without it, it fails at yield
+    slack_mm : before it pulls; prestress : share of the force at yield
+    design : it is not there yet: what it has to hold is sought
     """
 
     kind: str = choice_key(*HOLDS)
@@ -72,6 +126,13 @@ class Hold:
     shoulder_thickness_m: float | None = number_key(0.05, 20.0, unit="m", form_unit="cm")
     corner_wall: str = text_key()
     corner_side: int | None = number_key(1, 2, whole=True)
+    bar_length_m: float | None = number_key(0.2, 100.0, unit="m")
+    fy_mpa: float | None = number_key(100.0, 1500.0, unit="MPa")
+    elongation_m: float | None = number_key(0.0, 10.0, unit="m")
+    slack_mm: float | None = number_key(0.0, 500.0, unit="mm")
+    prestress: float | None = number_key(0.0, 0.9)
+    bar: Bars | None = key("section", of=Bars, columns="hold{n}_bar_")
+    design: bool = flag_key()
     evidence: Document | None = key("section", of=Document, columns="hold{n}_evidence_")
 
     @property
@@ -80,9 +141,19 @@ class Hold:
         return self.kind not in OUTWARD_ALONE
 
     @property
+    def is_tie(self) -> bool:
+        """Whether it is a tie that is there, not one that is sought."""
+        return self.kind == TIE and not self.design
+
+    @property
+    def spans(self) -> bool:
+        """Whether a wall spans between two of these."""
+        return self.kind in BETWEEN and self.spacing_m is not None
+
+    @property
     def only_there(self) -> bool:
         """Whether it holds a wall only where it stands, and how far apart is not said."""
-        return self.kind in BETWEEN and self.spacing_m is None
+        return self.kind in BETWEEN and not self.spans
 
     @property
     def shows_strength(self) -> bool:
@@ -102,18 +173,34 @@ class Hold:
     @property
     def at_yield(self) -> float:
         """Elongation of a bar of the ties along the wall at yield [m]."""
-        return elongation_at_yield(require_value(self.tie_bar_length_m))
+        return ties.elongation_at_yield(require_value(self.tie_bar_length_m))
 
     @property
     def alone(self) -> "Hold":
         """Hold the wall by contact alone: it neither spans to it nor is held outward."""
         return Hold(self.kind, self.name, self.h_m, self.from_m, self.to_m, evidence=self.evidence)
 
+    def tie(self, wall_length: float | None) -> ties.Tie:
+        """The tie of a hold that is one, for a metre of a wall of this length [m]."""
+        length, stands = require_value(self.bar_length_m), self.elongation_m or 0.0
+        height, slack, prestress = require_value(self.h_m), 1e-3 * (self.slack_mm or 0.0), self.prestress or 0.0
+        if self.bar is not None:
+            wall = require_value(wall_length)
+            return ties.tie_of_bars(height, self.bar.in_si(), length, wall, stands, slack, prestress)
+        strength = ties.DEFAULT_STRENGTH if self.fy_mpa is None else 1e6 * self.fy_mpa
+        at_yield = ties.elongation_at_yield(length, strength)
+        return ties.tie_of_force(height, 1e3 * require_value(self.out_kn_m), at_yield, stands, slack, prestress)
+
+    def tie_in_si(self, wall_length: float | None) -> masonry.Load:
+        """What a tie does to a metre of a wall of this length [m]. Raises TypeError where it has no size yet."""
+        tie = self.tie(wall_length)
+        return masonry.Load(TIE, tie.bar.strength, 0.0, tie.bar.height, False, tie)
+
     def above(self, height: float) -> "Hold | None":
         """The hold as the part of a wall above a height of it has it [m]; None of what is lower."""
         if self.kind in AT_A_HEIGHT:
             left = require_value(self.h_m) - height
-            return replace(self, h_m=left) if left > 0.0 else None
+            return replace(self, h_m=left) if left > (LEAST_BELOW_SOUGHT - 1e-9 if self.design else 1e-9) else None
         if self.to_m is not None and self.to_m <= height:
             return None
         low = None if self.from_m is None else max(0.0, self.from_m - height)
@@ -152,3 +239,8 @@ class ShareOfHold(Hold):
     """
 
     beside_kn_m: float = 0.0
+
+    @property
+    def is_tie(self) -> bool:
+        """It holds the stretch with its strength alone: no bar of it is followed."""
+        return False

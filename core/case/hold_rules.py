@@ -4,13 +4,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from core.case.held_stretches import find_held_stretches, stands_outward
-from core.case.hold import AT_A_HEIGHT, BETWEEN, STRENGTH, Hold
+from core.case.hold import AT_A_HEIGHT, BETWEEN, STRENGTH, TIE, Hold
 from core.case.site import Building
-from core.case.wall import BENDS, Wall
+from core.case.tie_rules import OF_A_TIE, check_tie
+from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
-from core.errors import InputError, place
+from core.errors import InputError, place, section
 from core.text.sentence import Key
 from core.wall.bending import TOP_TOLERANCE
+from core.wall.kinematics import kinematics
 
 OF_ENDS = ("tie_kn_m", "tie_bar_length_m", "tie_elongation_m", "shoulder_length_m", "shoulder_thickness_m")
 OF_ENDS += ("corner_wall", "corner_side")
@@ -22,13 +24,16 @@ def check_holds(wall: Wall) -> None:
     here = (place("wall", name=wall.title),)
     for n, hold in enumerate(wall.hold, start=1):
         _check_hold(wall, hold, (*here, place("hold", n=n)))
-    spans = [n for n, hold in enumerate(wall.hold, start=1) if hold.spacing_m is not None]
-    counted = wall.mechanism == BENDS or not any(stands_outward(hold) for hold in wall.hold)
+    spans = [n for n, hold in enumerate(wall.hold, start=1) if hold.spans]
+    counted = wall.kinematics.bends_up or not any(stands_outward(hold) for hold in wall.hold)
     if not counted and not find_held_stretches(wall):
         n = next(n for n, hold in enumerate(wall.hold, start=1) if stands_outward(hold))
         raise InputError("hold_not_counted", place=(*here, place("hold", n=n)), key="out_kn_m", least=MIN_SLENDERNESS)
     if len(spans) > 1:
         raise InputError("hold_two_spacings", place=(*here, place("hold", n=spans[1])), key="spacing_m", first=spans[0])
+    sought = [n for n, hold in enumerate(wall.hold, start=1) if hold.design]
+    if len(sought) > 1:
+        raise InputError("two_sought", place=(*here, place("hold", n=sought[1])), key="design", first=sought[0])
 
 
 def _check_hold(wall: Wall, hold: Hold, here) -> None:
@@ -36,7 +41,7 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
     if high and hold.h_m is None:
         raise InputError("hold_needs", place=here, key="h_m", kind=hold.kind)
     others = ("from_m", "to_m") if high else ("h_m",)
-    others += () if hold.kind in BETWEEN else ("spacing_m", *OF_ENDS)
+    others += () if hold.kind in BETWEEN else OF_ENDS if hold.design else ("spacing_m", *OF_ENDS)
     others += ("out_kn_m",) if hold.kind == "contact" else ()
     if given := [key for key in others if getattr(hold, key) not in (None, "")]:
         raise InputError("hold_key", place=here, key=given[0], kind=hold.kind)
@@ -47,6 +52,7 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
         raise InputError("hold_reversed", place=here, key="to_m", found=hold.to_m, least=hold.from_m or 0.0)
     if hold.shows_strength and hold.evidence is not None and not hold.evidence.reference.strip():
         raise InputError("document_reference", place=here, key="reference", kind=hold.evidence.kind)
+    check_tie(wall, hold, here)
     _check_height(wall, hold, here)
 
 
@@ -58,7 +64,7 @@ def _check_height(wall: Wall, hold: Hold, here) -> None:
         if (at := getattr(hold, key)) is not None and at > height * (1.0 + TOP_TOLERANCE):
             raise InputError("hold_outside", place=here, key=key, found=at, most=height)
     below = hold.kind in AT_A_HEIGHT and hold.h_m is not None and hold.h_m < height * (1.0 - TOP_TOLERANCE)
-    if below and wall.mechanism == BENDS:
+    if below and wall.kinematics.bends_up:
         raise InputError("hold_below_top", place=here, key="h_m", found=hold.h_m, height=height)
 
 
@@ -73,7 +79,10 @@ def check_holds_of_building(wall: Wall, building: Building | None) -> None:
             raise InputError("hold_above_building", place=here, key="h_m", found=hold.h_m, most=most)
 
 
-OLD_KEYS = ("back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m", "arch")
+OF_A_SOUGHT_TIE = ("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m")
+"""Keys of a wall that said of a tie to be designed what a hold says."""
+
+OLD_KEYS = ("back_restraint", "restraint_evidence", "restraint_note", "restraint_kn_m", "arch", *OF_A_SOUGHT_TIE)
 """Keys of a wall that [[wall.hold]] takes the place of."""
 
 OLD_KINDS = {"tied_floors": "floor", "other": "contact"}
@@ -85,19 +94,64 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
 
     table : keys of a wall; here : its place
     """
+    reasons = table.get("justification")
+    if isinstance(reasons, Mapping) and "hinge_heights" in reasons:
+        shown = f'{{ kind = "calculation", reference = {_toml_value(reasons["hinge_heights"])} }}'
+        written = f'set_aside = [{{ mechanism = "overturning", evidence = {shown} }}]'
+        raise InputError(
+            "old_reason", place=(here, section("[wall.justification]")), key="hinge_heights", written=written
+        )
     if old := next((key for key in OLD_KEYS if key in table), None):
         raise InputError("old_key", place=(here,), key=old, written=rewritten(table))
+    loads = table.get("load")
+    for n, load in enumerate(loads if isinstance(loads, list | tuple) else [], start=1):
+        if isinstance(load, Mapping) and load.get("kind") == TIE:
+            raise InputError("old_key", place=(here, place("load", n=n)), key="kind", written=rewritten(table))
 
 
 def rewritten(table: Mapping[str, Any]) -> str:
     """What the older keys of a wall say, as the line of a case file that says it now."""
+    loads = table.get("load")
+    loads = [load for load in loads if isinstance(load, Mapping)] if isinstance(loads, list | tuple) else []
+    given = table.get("hold")
+    holds = [
+        _hold_in_words(hold) for hold in (given if isinstance(given, list | tuple) else []) if isinstance(hold, Mapping)
+    ]
+    holds += [_tie_in_words(load) for load in loads if load.get("kind") == TIE]
+    if any(key in table for key in OF_A_SOUGHT_TIE):
+        keys = [f"{key.removeprefix('tie_')} = {table[key]}" for key in OF_A_SOUGHT_TIE[1:] if key in table]
+        holds.append(
+            ", ".join([f'kind = "{TIE}"', f"h_m = {table.get(OF_A_SOUGHT_TIE[0], '...')}", *keys, "design = true"])
+        )
+    if any(key in table for key in OLD_KEYS if key not in OF_A_SOUGHT_TIE):
+        holds.insert(0, _restraint_in_words(table))
+    return f"hold = [{', '.join(f'{{ {hold} }}' for hold in holds)}]"
+
+
+def _hold_in_words(hold: Mapping[str, Any]) -> str:
+    """A hold as it is, in one line."""
+    return ", ".join(f"{key} = {_toml_value(value)}" for key, value in hold.items())
+
+
+def _tie_in_words(load: Mapping[str, Any]) -> str:
+    """A tie that was among the loads, as a hold."""
+    share, length = load.get("elongation"), load.get("bar_length_m")
+    names = {"kind": "kind", "h_m": "h_m", "kn_m": "out_kn_m"} | {key: key for key in OF_A_TIE if key != "design"}
+    keys = [f"{new} = {_toml_value(load[old])}" for old, new in names.items() if old in load]
+    if share is not None and isinstance(length, float | int):
+        keys.append(f"elongation_m = {share * length:.6g}")
+    return ", ".join(keys)
+
+
+def _restraint_in_words(table: Mapping[str, Any]) -> str:
+    """What the older keys of a restraint say, as a hold."""
     ends = dict(table["arch"]) if isinstance(table.get("arch"), Mapping) else {}
     restraint = str(table.get("back_restraint") or "")
     kind = OLD_KINDS.get(restraint, restraint if restraint in (*AT_A_HEIGHT, *BETWEEN) else "contact")
     kind = kind if not ends or kind in BETWEEN else "cross_walls"
     keys = [f'kind = "{kind}"']
     if kind in AT_A_HEIGHT:
-        at = table.get("height_m") if table.get("mechanism") == BENDS else None
+        at = table.get("height_m") if kinematics(str(table.get("mechanism"))).bends_up else None
         keys.append(f"h_m = {'...' if at is None else at}")
     if table.get("restraint_kn_m") is not None:
         keys.append(f"out_kn_m = {table['restraint_kn_m']}")
@@ -110,8 +164,12 @@ def rewritten(table: Mapping[str, Any]) -> str:
         keys.append(f"evidence = {{ kind = {_toml_value(evidence)}{words} }}")
     elif note:
         keys.append(f"name = {_toml_value(note)}")
-    return f"hold = [{{ {', '.join(keys)} }}]"
+    return ", ".join(keys)
 
 
 def _toml_value(value: Any) -> str:
+    if isinstance(value, Mapping):
+        return f"{{ {', '.join(f'{key} = {_toml_value(inner)}' for key, inner in value.items())} }}"
+    if isinstance(value, bool):
+        return str(value).lower()
     return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"' if isinstance(value, str) else str(value)

@@ -231,5 +231,5 @@ def _check_foot(wall: Wall, parts: tuple[Part, ...], here) -> None:
     if faces is None or faces[0] > most + TOUCH:
         outer_face = math.inf if faces is None else faces[0]
         raise InputError("foot_alone", place=here, found=outer_face, z=low, most=most)
-    if "two_sided" in wall.mechanisms() and faces[1] < thickness - most - TOUCH:
+    if wall.kinematics.rocks_both_ways and faces[1] < thickness - most - TOUCH:
         raise InputError("inner_foot_alone", place=here, found=thickness - faces[1], z=low, most=most)

@@ -148,7 +148,7 @@ def _plausible(rule) -> Any:
     """A plausible value of a key of this kind, in place of a missing one."""
     match rule["kind"]:
         case "choice":
-            return rule["names"][0]
+            return next(iter(rule["names"]))
         case "int":
             return rule["low"]
         case "float":

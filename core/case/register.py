@@ -6,16 +6,22 @@ from typing import NamedTuple
 from core.case.directions import falls_sooner_along
 from core.case.hinges import WallPart, find_unchecked_hinges, leaves_end_open
 from core.case.hold import AT_A_HEIGHT
+from core.case.set_aside import (
+    CORNER,
+    DIRECTION,
+    HORIZONTAL_BENDING,
+    LEAF,
+    OVERTURNING,
+    PART_ABOVE,
+    ROWS,
+    VERTICAL_BENDING,
+    SetAside,
+)
 from core.case.site import Building
 from core.case.spans_between_ties import leaves_stretches_out
-from core.case.wall import ARCHES, Wall
+from core.case.wall import Wall
 from core.text.sentence import Key, Number, Sentence, sentence
-
-OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING = "overturning", "vertical_bending", "horizontal_bending"
-CORNER, LEAF, PART_ABOVE, DIRECTION = "corner", "leaf", "part_above", "direction"
-
-MECHANISMS = (OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING, CORNER, LEAF, PART_ABOVE, DIRECTION)
-"""Mechanisms out of plane that a wall may have (Circolare 7/2019 C8.7.1.2.1.1): none is without a row."""
+from core.wall.kinematics import kinematics
 
 LOOKED_AT, NOT_POSSIBLE, NOT_LOOKED_AT, SET_ASIDE = "looked_at", "not_possible", "not_looked_at", "set_aside"
 """Status of a row. What is not looked at leaves an outcome that passes indicative; the engineer may set it aside."""
@@ -44,9 +50,9 @@ def row_of_part(part: WallPart, mechanism: str) -> RegisterRow:
     body = part.body
     top = body.height_m if part.top is None else part.top
     if part.wall.bends:
-        name = HORIZONTAL_BENDING if part.wall.mechanism == ARCHES else VERTICAL_BENDING
+        name = HORIZONTAL_BENDING if part.wall.kinematics.arches else VERTICAL_BENDING
         return RegisterRow(name, LOOKED_AT, part.hinge, top, None, "inward" if part.inward else "both")
-    name, direction = OVERTURNING, "outward" if mechanism == "one_sided" else "both"
+    name, direction = OVERTURNING, "outward" if kinematics(mechanism).one_way else "both"
     if part.wall.corner is not None:
         name = CORNER
     elif part.aspect and body.leans:
@@ -79,7 +85,7 @@ def other_rows(parts: Iterable[WallPart], looked: set[str], building: Building |
     names, wall = looked | {row.name for row in rows}, whole[0].body
     return rows + [
         RegisterRow(name, NOT_POSSIBLE, 0.0, wall.height_m, why=sentence("mechanism", _why_not(name, wall)))
-        for name in MECHANISMS
+        for name in ROWS
         if name not in names
     ]
 
@@ -87,22 +93,24 @@ def other_rows(parts: Iterable[WallPart], looked: set[str], building: Building |
 def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[RegisterRow]:
     """What is not looked at of a wall about its base, or is set aside with a reason. aspect : of `WallPart`"""
     rows: list[RegisterRow] = []
-    set_aside = wall.justification.hinge_heights if wall.justification else ""
 
-    def leave(name: str, why: Sentence, reason: str = "", hinge: float | None = None) -> None:
-        status = SET_ASIDE if reason else NOT_LOOKED_AT
-        rows.append(RegisterRow(name, status, hinge or 0.0, wall.height_m, hinge, "", reason or why))
+    def leave(name: str, why: Sentence, hinge: float | None = None) -> None:
+        entry, status = _set_aside(wall, name, hinge), NOT_LOOKED_AT
+        if entry is not None:
+            why, status = entry.shown_by, SET_ASIDE
+        rows.append(RegisterRow(name, status, hinge or 0.0, wall.height_m, hinge, "", why))
 
-    keys = {"key": Key("hinge_heights"), "reasons": Key("justification")}
     if leaves_stretches_out(wall):
-        leave(VERTICAL_BENDING, sentence("reason", "stretches_left_out", **keys), set_aside)
+        leave(VERTICAL_BENDING, sentence("reason", "stretches_left_out", set_aside=Key("set_aside")))
     if aspect:
         return rows
-    if heights := find_unchecked_hinges(wall, building):
-        code = "heights_left_out" if wall.hinge_heights is None else "hinges_as_asked"
-        left = tuple(Number(height, ".4g") for height in heights)
-        keys = {"key": Key("hinge_heights"), "building": Key("[building]")}
-        leave(OVERTURNING, sentence("reason", code, heights=left, **keys), set_aside, heights[0])
+    unchecked = find_unchecked_hinges(wall, building)
+    left = [height for height in unchecked if _set_aside(wall, OVERTURNING, height) is None]
+    code = "heights_left_out" if wall.hinge_heights is None else "hinges_as_asked"
+    keys = {"key": Key("hinge_heights"), "building": Key("[building]")}
+    why = sentence("reason", code, heights=tuple(Number(height, ".4g") for height in left), **keys)
+    for height in (*left[:1], *(height for height in unchecked if height not in left)):
+        leave(OVERTURNING, why, height)
     if leaves_end_open(wall, building):
         keys = {"key": Key("to_m"), "building": Key("[building]")}
         leave(PART_ABOVE, sentence("reason", "end_left_open", **keys))
@@ -113,19 +121,26 @@ def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[Regis
     return rows
 
 
+def _set_aside(wall: Wall, name: str, hinge: float | None) -> SetAside | None:
+    """What sets a mechanism aside, over the whole wall or about a hinge [m]."""
+    low, high = (0.0, wall.height_m) if hinge is None else (hinge, hinge)
+    return next((entry for entry in wall.set_aside if entry.covers(name, low, high)), None)
+
+
 def _why_not(name: str, wall: Wall) -> str:
     """Code of why a wall has not a mechanism that is neither looked at nor left out."""
     if name == OVERTURNING:
-        return "turns_as_corner" if wall.corner else "held_at_ends" if wall.mechanism == ARCHES else "held_at_top"
-    if name == VERTICAL_BENDING and any(load.is_tie for load in wall.load):
+        return "turns_as_corner" if wall.corner else "held_at_ends" if wall.kinematics.arches else "held_at_top"
+    if name == VERTICAL_BENDING and wall.ties:
         return "turns_before"
-    if name == VERTICAL_BENDING and wall.hold:
-        return "turns_outward_before" if all(hold.kind in AT_A_HEIGHT for hold in wall.hold) else "held_all_along"
+    if name == VERTICAL_BENDING and wall.restraints:
+        at_heights = all(hold.kind in AT_A_HEIGHT for hold in wall.restraints)
+        return "turns_outward_before" if at_heights else "held_all_along"
     if name == PART_ABOVE and wall.bends:
         return "held_at_top"
-    if name == PART_ABOVE and wall.hold:
+    if name == PART_ABOVE and wall.restraints:
         return "held_to_top"
-    if name == DIRECTION and (wall.hold or wall.bends):
+    if name == DIRECTION and (wall.restraints or wall.bends):
         return "held_in_plane"
     return {
         VERTICAL_BENDING: "stands_free",

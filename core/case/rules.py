@@ -5,7 +5,6 @@ from collections.abc import Iterable
 from dataclasses import fields, replace
 from typing import NamedTuple
 
-from core.case.above_hinge import numbers_above
 from core.case.detached import check_leaf
 from core.case.directions import check_directions
 from core.case.floor_loads import WallSetChecker, add_floor_loads, check_floors, check_floors_on, floor_at
@@ -14,12 +13,13 @@ from core.case.held_top import check_bends, check_held_top
 from core.case.hinges import WallPart, check_hinges, make_wall_parts, turning_hinges, turns_above_ties
 from core.case.hold_rules import check_holds, check_holds_of_building
 from core.case.keys import is_required
-from core.case.load_rules import check_design, check_given, check_loads
+from core.case.load_rules import check_given, check_loads, places_of_forces
 from core.case.meaningful import is_meaningful
 from core.case.place import HERE, Site, apply_site, fill_from_site
 from core.case.schema import Analysis, Case, Generate, Record, Report
 from core.case.select import Select
 from core.case.sensitivity import Ranges
+from core.case.set_aside import check_set_aside
 from core.case.shape_memory import check_known_shape
 from core.case.site import FULL_FACTOR, KNOWLEDGE, Building, Demand, Spectrum
 from core.case.spanning import check_arch
@@ -35,7 +35,7 @@ from core.case.values import (
     refuse_unknown,
 )
 from core.case.variant_of import expand_variants
-from core.case.wall import BENDS, FOUND, Wall, leans_on_something
+from core.case.wall import FOUND, Wall, leans_on_something
 from core.codes.limits import check_return_period
 from core.codes.spectrum_codes import refuse_faulty, requires_key
 from core.errors import InputError, place, section
@@ -255,7 +255,7 @@ def check_part(part: WallPart) -> None:
     try:
         bends = bool(find_bending_spans(whole, (part.hinge,))) or turns_above_ties(whole, part.hinge)
         bends = bends or (bool(part.aspect) and not has_load_below_tie(whole))
-        check_loads(wall, numbers_above(whole, part.hinge), bends=bends)
+        check_loads(wall, places_of_forces(whole, part.hinge), bends=bends)
     except InputError as error:
         corner, leaf = whole.corner, part.asked.leaf
         if error.code == "tie_too_strong" and part.aspect and leaf is not None:
@@ -263,7 +263,7 @@ def check_part(part: WallPart) -> None:
         if error.code != "unstable_under_loads" or corner is None or not corner.is_pushed:
             raise
         raise InputError("corner_pushed_over", place=error.place, key="corner_wall") from None
-    if wall.mechanism == BENDS and part.top is not None:
+    if wall.kinematics.bends_up and part.top is not None:
         check_bends(wall)
     elif part.hinge and part.top is None:
         check_given(wall)
@@ -296,10 +296,11 @@ def _check_alone(wall: Wall) -> None:
     try:
         check_known_shape(wall)
         wall.bare_block()
-        check_design(wall)
         check_given(wall)
         check_held_top(wall)
         check_holds(wall)
+        for n, entry in enumerate(wall.set_aside, start=1):
+            check_set_aside(entry, (place("wall", name=wall.title), place("set_aside", n=n)))
         check_arch(wall)
         check_leaf(wall)
         check_directions(wall)
@@ -357,12 +358,12 @@ def _check_reasons(wall: Wall) -> None:
 def _check_exact(case: Case, wall: Wall) -> None:
     """Refuse a method that has no bars and no unlike sides, and a statement of accuracy by such methods."""
     method, here = case.analysis.method, (section("[analysis]"),)
-    if any(load.is_tie for load in wall.load) or (wall.leaf is not None and wall.leaf.connector_kn_m):
+    if any(hold.is_tie for hold in wall.hold) or (wall.leaf is not None and wall.leaf.connector_kn_m):
         if method not in TIE_METHODS:
             raise InputError("tie_method", place=here, key="method", found=method)
         if case.analysis.accuracy:
             raise InputError("tie_accuracy", place=here, key="accuracy")
-    if wall.is_asymmetric and "two_sided" in wall.mechanisms():
+    if wall.is_asymmetric and wall.kinematics.rocks_both_ways:
         if method not in TIE_METHODS:
             raise InputError("unlike_method", place=here, key="method", found=method)
         if case.analysis.accuracy:
@@ -406,7 +407,6 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
 def parse_wall(table: dict) -> Wall:
     """One wall of a mapping with the keys of [[wall]], with its loads. Raises InputError."""
     wall = parse_section(Wall, table, "wall", place("wall", name=_name(table, 0)))
-    check_design(wall)
     check_given(wall)
     check_held_top(wall)
     check_arch(wall)

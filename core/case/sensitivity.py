@@ -22,7 +22,7 @@ class Ranges:
     """[sensitivity]: the moves of each input; the reasons of the defaults are in resources/docs/sure.md.
 
     thickness_factor : and of the distances of its loads from its outer face
-    load_factor : of all loads but ties
+    load_factor : of all loads
     setback_m : added to the hinge setback [m]
     out_of_plumb_m : added outward for each storey of the height of a wall of rectangular outline [m]
     velocity_ratio_factor : of the theoretical velocity ratio, of Eq. 4 or 6

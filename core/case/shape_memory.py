@@ -15,7 +15,6 @@ WITHOUT_SHAPE: dict[str, Any] = {
     "floor": "",
     "notes": "",
     "base_z_m": None,
-    "hold": (),
     "hinge_heights": None,
     "unloaded_confirmed": False,
     "justification": None,
@@ -31,7 +30,7 @@ def check_known_shape(wall: Wall) -> None:
     if not wall.has_shape:
         return
     try:
-        refusal = _found(replace(wall, **WITHOUT_SHAPE))
+        refusal = _found(replace(wall, hold=wall.ties, **WITHOUT_SHAPE))
     except TypeError:  # a value that is no key of a memory
         check_shape(wall)
         return

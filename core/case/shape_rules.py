@@ -50,7 +50,7 @@ def check_shape(wall: Wall) -> None:
     check_one_body(wall, parts, here)
     wall.bare_block()  # the setback, then a body that does not stand on it
     x, inner = sum_of(parts).centroid[0], thickness - wall.setback
-    if "two_sided" in wall.mechanisms() and x >= inner:
+    if wall.kinematics.rocks_both_ways and x >= inner:
         raise InputError("body_leans_back", place=here, found=x, hinge=inner)
 
 
@@ -81,7 +81,7 @@ def _check_base(wall: Wall, parts: tuple[Part, ...], thickness: float, length: f
     long = _extent(parts)
     if length > long + TOUCH:
         raise InputError("length_beyond_body", place=here, key="length_m", found=length, most=long)
-    if wall.load and length < (1.0 - LENGTH_SLIP) * long:
+    if wall.is_loaded and length < (1.0 - LENGTH_SLIP) * long:
         raise InputError("length_of_loads", place=here, key="length_m", found=length, most=long)
 
 

@@ -2,26 +2,27 @@
 
 from dataclasses import replace
 
-from core.case.hold import Hold
-from core.case.load_rules import MAX_STRAIN
+from core.case.hold import TIE, Hold
 from core.case.loads import Load
-from core.case.wall import ARCHES, Wall
+from core.case.tie_rules import MAX_STRAIN
+from core.case.wall import Wall
 from core.codes.vertical_bending import bending
 from core.errors import InputError, place
 from core.known import require_value
 from core.text.sentence import Key
 from core.wall.bending import spread_over
+from core.wall.kinematics import ARCHES
 
 LEAST_COURSES = 0.5
 """Height of a band of courses that goes through from end to end, at least [m]."""
 
-NOT_OF_AN_ARCH = ("restitution", "velocity_ratio", "hinge_heights", "return_walls", "tie_height_m", "free_element")
+NOT_OF_AN_ARCH = ("restitution", "velocity_ratio", "hinge_heights", "return_walls", "free_element")
 """Keys of walls that rock or turn about their base."""
 
 
 def spans(wall: Wall) -> bool:
     """Whether a wall that may overturn is looked at between its transverse walls too."""
-    return wall.arch is not None and wall.mechanism != ARCHES
+    return wall.arch is not None and not wall.kinematics.arches
 
 
 def named_spanning(name: str, spacing: float) -> str:
@@ -34,12 +35,12 @@ def make_spanning_part(wall: Wall) -> Wall:
     spread over a metre of its height; weights that rest on it hold nothing there, and no tie across it is counted. With
     openings or a gable the courses that go through from end to end bear the weight of all."""
     assert wall.arch is not None
-    thickness, load = least_thickness(wall), [one for one in wall.load if not one.is_tie]
+    thickness, load = least_thickness(wall), wall.load
     if wall.parts:
         courses, height = whole_courses(wall), require_value(wall.height_m)
         more = 1e-3 * wall.in_si.weight / courses - require_value(wall.unit_weight_kn_m3) * thickness
         own = Load("vertical", more * spread_over(height), 0.5 * height, d_m=0.5 * thickness, mass="horizontal")
-        load += [own] if more > 0.0 else []
+        load += (own,) if more > 0.0 else ()
     return replace(
         wall,
         name=named_spanning(wall.title, require_value(wall.arch.spacing_m)),
@@ -54,10 +55,6 @@ def make_spanning_part(wall: Wall) -> Wall:
         free_element=None,
         load=tuple(load),
         return_walls=None,
-        tie_height_m=None,
-        tie_bar_length_m=None,
-        tie_elongation_m=None,
-        tie_spacing_m=None,
         hold=(wall.arch,),
         unloaded_confirmed=wall.unloaded_confirmed and not wall.load,
         gable_m=None,
@@ -106,16 +103,16 @@ def check_arch(wall: Wall) -> None:
     """Raise InputError for a wall between transverse walls that is not complete, or has what does not go with it."""
     here = (place("wall", name=wall.name),)
     if (given := wall.arch) is None:
-        if wall.mechanism == ARCHES:
+        if wall.kinematics.arches:
             raise InputError("arch_missing", place=here, key="spacing_m", arch=Key("[[wall.hold]]"))
         return
     inside = (*here, place("hold", n=1 + wall.hold.index(given)))
-    if wall.mechanism not in ("one_sided", "both", ARCHES):
+    if not (wall.leans or wall.kinematics.arches):
         raise InputError("arch_mechanism", place=inside, found=wall.mechanism)
     for key, size in (("height_m", wall.height_m), ("thickness_m", wall.thickness)):
         if size is None:
             raise InputError("arch_needs", place=here, key=key, arch=Key("spacing_m"))
-    if wall.solid or wall.corner or (wall.has_shape and wall.mechanism == ARCHES):
+    if wall.solid or wall.corner or (wall.has_shape and wall.kinematics.arches):
         raise InputError("arch_rectangle", place=inside)
     if not whole_courses(wall):
         raise InputError("arch_openings", place=inside, least=LEAST_COURSES)
@@ -128,7 +125,7 @@ def check_arch(wall: Wall) -> None:
     if not given.with_tie and not given.with_shoulder:
         keys = {"tie": Key("tie_kn_m"), "shoulder": Key("shoulder_length_m")}
         raise InputError("arch_without_thrust", place=inside, key="tie_kn_m", **keys)
-    if wall.mechanism != ARCHES:
+    if not wall.kinematics.arches:
         bending(make_spanning_part(wall).in_si)
         return
     for key in NOT_OF_AN_ARCH:
@@ -137,7 +134,6 @@ def check_arch(wall: Wall) -> None:
     if wall.law not in ("auto", "rigid"):
         raise InputError("arch_key", place=here, key="law")
     keys = {"tie": Key("tie_kn_m"), "arch": Key("[[wall.hold]]")}
-    for n, load in enumerate(wall.load, start=1):
-        if load.is_tie:
-            raise InputError("arch_tie", place=(*here, place("load", n=n)), key="kind", **keys)
+    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.kind == TIE), None):
+        raise InputError("arch_tie", place=(*here, place("hold", n=n)), key="kind", **keys)
     bending(wall.in_si)

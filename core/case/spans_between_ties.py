@@ -6,15 +6,16 @@ from dataclasses import replace
 
 from core.case.above_hinge import cut_above_hinge, solid_of
 from core.case.held_top import mirror_inward
-from core.case.hold import AT_A_HEIGHT, Document, Hold
+from core.case.hold import AT_A_HEIGHT, TIE, Document, ShareOfHold
 from core.case.loads import Load
 from core.case.shape import cut_between
-from core.case.wall import BENDS, Wall
+from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, bending
 from core.errors import InputError
 from core.known import require_value
 from core.units import G
 from core.wall.body import cut_above, sum_bodies
+from core.wall.kinematics import BENDS
 from core.wall.solids import contact_at, faces_at, is_dragged
 from core.wall.wall_loads import hinge_inside, restoring_with_ties
 
@@ -34,7 +35,7 @@ def find_bending_spans(wall: Wall, hinges: Sequence[float] = ()) -> tuple[tuple[
     longer one block; at least MIN_SLENDERNESS times as high as thick. What it drags along of return walls is no part of
     them. Empty of a corner and of oblique or dragged solids, and where more than weights acts below the highest tie (a
     thrust there goes into it), or a tie has slack."""
-    ties = sorted({load.h_m for load in wall.load if load.is_tie})
+    ties = sorted({require_value(tie.h_m) for tie in wall.ties})
     if not ties or wall.thickness is None or has_load_below_tie(wall):
         return ()
     if not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
@@ -82,9 +83,9 @@ def find_inward_spans(
 
     hinges : about which it turns; outward : stretches that are looked at as they bend both ways
     """
-    floors = sorted({require_value(hold.h_m) for hold in wall.hold if hold.kind in AT_A_HEIGHT})
+    floors = sorted({require_value(hold.h_m) for hold in wall.restraints if hold.kind in AT_A_HEIGHT})
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
-    if not sized or len(floors) < len(wall.hold) or not wall.leans or not is_one_sheet(wall):
+    if not sized or len(floors) < len(wall.restraints) or not wall.leans or not is_one_sheet(wall):
         return []
     least = MIN_SLENDERNESS * require_value(wall.thickness)
     pairs = zip([0.0, *floors], floors, strict=False)
@@ -106,16 +107,16 @@ def leaves_stretches_out(wall: Wall) -> bool:
     if not wall.leans or wall.thickness is None:
         return False
     least = MIN_SLENDERNESS * wall.thickness
-    if not any(load.is_tie and load.h_m >= least for load in wall.load):
+    if not any(require_value(tie.h_m) >= least for tie in wall.ties):
         return False
     return has_load_below_tie(wall) or wall.return_walls is not None or not is_one_sheet(wall)
 
 
 def has_load_below_tie(wall: Wall) -> bool:
     """Whether something acts below the highest tie of a wall that no stretch is looked at with, or a tie has slack."""
-    highest = max((load.h_m for load in wall.load if load.is_tie), default=0.0)
-    others = (load.h_m for load in wall.load if load.kind not in ("vertical", "tie"))
-    return any(load.slack_mm for load in wall.load) or any(height < highest for height in others)
+    highest = max((require_value(tie.h_m) for tie in wall.ties), default=0.0)
+    others = (load.h_m for load in wall.load if not load.rests)
+    return any(tie.slack_mm for tie in wall.ties) or any(height < highest for height in others)
 
 
 def is_one_sheet(wall: Wall) -> bool:
@@ -200,12 +201,8 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
         free_element=None,
         load=tuple(loads),
         unloaded_confirmed=wall.unloaded_confirmed or not loads,
-        tie_height_m=None,
-        tie_bar_length_m=None,
-        tie_elongation_m=None,
-        tie_spacing_m=None,
         # what the tie stands is looked at where the stretch is chosen
-        hold=(Hold("tie", h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),),
+        hold=(ShareOfHold(TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),),
     )
 
 

@@ -16,6 +16,7 @@ from core.codes.target_spectrum import NTC_TOPOGRAPHY, SOILS
 from core.errors import InputError, place
 from core.rocking.methods import METHODS
 from core.text.sentence import LANGUAGES
+from core.wall.kinematics import Kinematics, kinematics
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 
@@ -115,6 +116,11 @@ class Cell:
     q_step: float
 
     @property
+    def kinematics(self) -> Kinematics:
+        """What its mechanism does."""
+        return kinematics(self.mechanism)
+
+    @property
     def wall(self) -> Wall:
         """The cell as a wall of a case, whose rules it obeys. Raises InputError."""
         chosen: dict[str, object]
@@ -148,7 +154,7 @@ def cells_of(study: Study) -> dict[Cell, frozenset[str]]:
         lists = (grid.slenderness_deg, grid.height_m, grid.mechanism, models, grid.law, grid.method)
         for alpha, height, mechanism, model, law, method in product(*lists):
             if model == DEFAULT_MODEL:
-                model = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+                model = "one_sided_theoretical" if kinematics(mechanism).one_way else "housner"
             named = [Cell(alpha, height, mechanism, model, law, method, step) for step in grid.q_step]
             try:
                 named[0].wall.restitution_of(mechanism)

@@ -49,7 +49,7 @@ def refuse_unknown(cls, table: dict, here) -> None:
         refuse_old_keys(table, here)
     for key in table:
         if key not in keys:
-            near = difflib.get_close_matches(key, keys, 1)
+            near = [name for name in keys if name.endswith(f"_{key}")] or difflib.get_close_matches(key, keys, 1)
             if near:
                 raise InputError("unknown_key_near", place=(here,), value=quote_value(key), near=near[0])
             raise InputError("unknown_key", place=(here,), value=quote_value(key), known=tuple(keys))

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
-from core.case.hold import AT_A_HEIGHT, OUTWARD_ALONE, Hold, ShareOfHold
+from core.case.hold import AT_A_HEIGHT, OUTWARD_ALONE, TIE, Hold, ShareOfHold
 from core.case.keys import choice_key, flag_key, key, number_key, section_to_dict, text_key
 from core.case.loads import Load, ReturnWalls
+from core.case.set_aside import SetAside
 from core.case.shape import Shaped
 from core.case.solids import Corner, Drawing, InPlan, Leaf, Opening, Solid, Step, Wedges
 from core.case.variant_names import AS_IS, DESIGNED
@@ -20,7 +21,8 @@ from core.wall.arch import Arch
 from core.wall.bending import TOP_TOLERANCE, spread_over
 from core.wall.block import Block
 from core.wall.impact import Restitution
-from core.wall.masonry import ARCHES, BENDS, Declared, Masonry, base_length, weight_per_metre
+from core.wall.kinematics import MECHANISMS, Kinematics, kinematics
+from core.wall.masonry import Declared, Masonry, base_length, weight_per_metre
 from core.wall.moment_rotation import LAWS, WITH_BRANCH, MomentLaw
 from core.wall.restitution import MODELS, restitution
 from core.wall.solids import sum_of
@@ -43,7 +45,6 @@ class WallJustification:
     corner: str = text_key()
     leaf: str = text_key()
     contact: str = text_key()
-    hinge_heights: str = text_key()
     free_element: str = text_key()
     base_z_m: str = text_key()
     elongation_m: str = text_key()
@@ -82,7 +83,7 @@ class Wall(Shaped):
     """[[wall]]: geometry, mechanism, restitution, moment law."""
 
     name: str = text_key(MISSING)
-    mechanism: str = choice_key("one_sided", "two_sided", "both", BENDS, ARCHES)
+    mechanism: str = key("choice", MISSING, names=MECHANISMS)
     height_m: float | None = number_key(0.1, 60.0, unit="m", form="shape", filled=True)
     thickness_m: float | None = number_key(0.005, 20.0, unit="m", form_unit="cm", form="shape", filled=True)
     slenderness_deg: float | None = number_key(0.05, 60.0, unit="deg", form="shape", filled=True)
@@ -107,6 +108,7 @@ class Wall(Shaped):
     notes: str = text_key(form="checks")
     hold: tuple[Hold, ...] = key("tables", (), of=Hold, columns="hold{n}_")
     load: tuple[Load, ...] = key("tables", (), of=Load, columns="load{n}_")
+    set_aside: tuple[SetAside, ...] = key("tables", (), of=SetAside, columns="set_aside{n}_")
     return_walls: ReturnWalls | None = key("section", of=ReturnWalls, columns="across_")
     solid: tuple[Solid, ...] = key("tables", (), of=Solid, columns="solid{n}_")
     drawing: tuple[Drawing, ...] = key("tables", (), of=Drawing)
@@ -118,10 +120,6 @@ class Wall(Shaped):
     corner: Corner | None = key("section", of=Corner, columns="corner_")
     leaf: Leaf | None = key("section", of=Leaf, columns="leaf_")
     plan: InPlan | None = key("section", of=InPlan, columns="plan_")
-    tie_height_m: float | None = number_key(0.1, 60.0, unit="m", form="held")
-    tie_bar_length_m: float | None = number_key(0.2, 100.0, unit="m", form="held")
-    tie_elongation_m: float | None = number_key(0.0, 10.0, unit="m", form="held")
-    tie_spacing_m: float | None = number_key(0.1, 20.0, unit="m", form="held")
     justification: WallJustification | None = key("section", of=WallJustification)
     variant: str | None = choice_key(AS_IS, DESIGNED, default=None, form="held")
 
@@ -203,7 +201,7 @@ class Wall(Shaped):
             free=self.free_element,
             felt=self.demand_height_m,
             parts=self.parts,
-            loads=tuple(load.in_si(self.length_m) for load in self.load),
+            loads=(*(load.in_si for load in self.load), *(tie.tie_in_si(self.length_m) for tie in self.ties)),
             across=None if across is None else across.in_si(),
             arch=self._arch(),
             declared=self._declared(),
@@ -212,15 +210,35 @@ class Wall(Shaped):
     @property
     def arch(self) -> Hold | None:
         """The cross walls or buttresses between which it spans; None where how far apart they are is not said."""
-        return next((hold for hold in self.hold if hold.spacing_m is not None), None)
+        return next((hold for hold in self.hold if hold.spans), None)
+
+    @property
+    def ties(self) -> tuple[Hold, ...]:
+        """The ties that are there, as bars; what holds the top of a stretch between ties is none."""
+        return tuple(hold for hold in self.hold if hold.is_tie)
+
+    @property
+    def is_loaded(self) -> bool:
+        """Whether loads or ties act on it."""
+        return bool(self.load) or bool(self.ties)
+
+    @property
+    def sought(self) -> Hold | None:
+        """The tie that is to be designed."""
+        return next((hold for hold in self.hold if hold.design), None)
+
+    @property
+    def restraints(self) -> tuple[Hold, ...]:
+        """What holds it but ties."""
+        return tuple(hold for hold in self.hold if hold.kind != TIE)
 
     @property
     def held_by(self) -> Hold | None:
         """What stands behind it, holds its top or its ends: contact along the wall before what is only in places, and
         of several the first that nothing shows."""
-        if self.mechanism == ARCHES:
+        if self.kinematics.arches:
             return self.arch
-        if self.mechanism == BENDS:
+        if self.kinematics.bends_up:
             return next((hold for hold in self.hold if self._holds_top(hold)), None)
         behind = [hold for hold in self.hold if hold.is_contact]
         along = [hold for hold in behind if not hold.only_there] or behind
@@ -248,7 +266,7 @@ class Wall(Shaped):
     def _arch(self) -> Arch | None:
         """The arch of a wall that spans between transverse walls; None of another one. Raises InputError where it lacks
         something."""
-        if self.mechanism != ARCHES:
+        if not self.kinematics.arches:
             return None
         here = (place("wall", name=self.name),)
         if self.arch is None:
@@ -259,7 +277,7 @@ class Wall(Shaped):
             given = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": weight}
             key = next((key for key, value in given.items() if value is None), "compressive_strength_mpa")
             raise InputError("arch_needs", place=here, key=key, arch=Key("spacing_m"))
-        thrust = sum(1e3 * abs(require_value(load.kn_m)) for load in self.load if load.kind == "thrust")
+        thrust = sum(1e3 * abs(require_value(load.kn_m)) for load in self.load if load.is_thrust)
         presses = thrust * require_value(self.arch.spacing_m) / spread_over(height)
         return self.arch.arch_in_si(height, thickness, 1e3 * weight, 1e6 * strength, presses)
 
@@ -269,8 +287,12 @@ class Wall(Shaped):
         return json.dumps(section_to_dict(self), sort_keys=True)
 
     def without_ties(self) -> "Wall":
-        """The wall with its other loads alone."""
-        return replace(self, load=tuple(load for load in self.load if not load.is_tie))
+        """The wall with its other holds alone."""
+        return replace(self, hold=tuple(hold for hold in self.hold if not hold.is_tie))
+
+    def without_sought(self) -> "Wall":
+        """The wall without the tie that is to be designed."""
+        return replace(self, hold=tuple(hold for hold in self.hold if not hold.design))
 
     def block(self) -> Block:
         """The wall and the masses that move with it. Raises InputError as `in_si`."""
@@ -336,8 +358,8 @@ class Wall(Shaped):
     def has_closed_forms(self) -> bool:
         """Whether Eq. 15 and 16 say anything of it: fitted to walls on the ground without loads; of a body by the
         rectangle of the same p and alpha."""
-        bare = not self.load and not self.bends
-        return not self.above_ground and bare and not (self.is_asymmetric and "two_sided" in self.mechanisms())
+        bare = not self.is_loaded and not self.bends
+        return not self.above_ground and bare and not (self.is_asymmetric and self.kinematics.rocks_both_ways)
 
     @property
     def is_asymmetric(self) -> bool:
@@ -355,30 +377,35 @@ class Wall(Shaped):
         middle, of one that spans between transverse walls of its top; None where it is not given."""
         if self.base_z_m is None or not self.bends:
             return self.base_z_m
-        return self.base_z_m + (1.0 if self.mechanism == ARCHES else 0.5) * (self.height_m or 0.0)
+        return self.base_z_m + self.kinematics.demand_at * (self.height_m or 0.0)
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """What its mechanism does."""
+        return kinematics(self.mechanism)
 
     @property
     def bends(self) -> bool:
         """Whether it is held at its top, or at both ends, and opens a hinge between."""
-        return self.mechanism in (BENDS, ARCHES)
+        return self.kinematics.bends
 
     @property
     def leans(self) -> bool:
         """Whether it may overturn to one side alone: something stands behind it."""
-        return "one_sided" in self.mechanisms()
+        return self.kinematics.turns_one_way
 
     def mechanisms(self) -> tuple[str, ...]:
-        return ("two_sided", "one_sided") if self.mechanism == "both" else (self.mechanism,)
+        return self.kinematics.stands_for or (self.mechanism,)
 
     def restitution_model(self, mechanism: str) -> str:
         """Model of restitution for one mechanism: as asked, else the default that follows the mechanism."""
         model = self.restitution or ("user" if self.velocity_ratio is not None else None)
-        return model or ("one_sided_theoretical" if mechanism == "one_sided" else "housner")
+        return model or kinematics(mechanism).restitution
 
     def restitution_of(self, mechanism: str) -> Restitution:
         """Restitution for one mechanism."""
         model = self.restitution_model(mechanism)
-        if MODELS[model].one_sided and mechanism == "two_sided":
+        if MODELS[model].one_sided and kinematics(mechanism).both_ways:
             raise InputError(
                 "restitution_one_sided", model=model, asked=self.mechanism, place=(place("wall", name=self.name),)
             )

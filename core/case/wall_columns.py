@@ -8,10 +8,11 @@ from difflib import get_close_matches
 from typing import NamedTuple
 
 from core.case.hinges import BASE, FLOORS
-from core.case.hold import HOLDS, PRESENCE, STRENGTH
+from core.case.hold import HOLDS, PRESENCE, STRENGTH, TIE
 from core.case.keys import NESTED
 from core.case.number import parse_quantity
 from core.case.rules import parse_wall
+from core.case.tie_rules import OF_A_TIE
 from core.case.values import field_of
 from core.case.wall import Wall
 from core.errors import InputError, place
@@ -77,12 +78,9 @@ def _titles(key: str, language: int) -> list[str]:
 LOAD_KINDS = {
     "verticale": "vertical",
     "spinta": "thrust",
-    "catena": "tie",
-    "tirante": "tie",
     "massa portata": "carried_mass",
     "vertical": "vertical",
     "thrust": "thrust",
-    "tie": "tie",
     "carried mass": "carried_mass",
     "carried_mass": "carried_mass",
 }
@@ -121,7 +119,7 @@ WORDS_OF_CHOICE = {
     "mechanism": MECHANISMS,
     "load.kind": LOAD_KINDS,
     "load.mass": LOAD_MASSES,
-    "hold.kind": _catalogue_words(HOLDS),
+    "hold.kind": _catalogue_words(HOLDS) | {"tirante": TIE},
     "evidence.kind": _catalogue_words((*PRESENCE, *STRENGTH)),
 }
 """Key -> its words in a table; another choice is written as in the case file."""
@@ -134,8 +132,17 @@ OLD_COLUMNS = {
 }
 """Titles of older tables -> the column that says the same now."""
 
-OLD_ARCH = re.compile(r"arc[ho][ _]")
-"""How the titles of [wall.arch] began in either language."""
+OLD_STARTS = {
+    "arch ": "hold1_spacing_m",
+    "arco ": "hold1_spacing_m",
+    "arch_": "hold1_spacing_m",
+    **dict.fromkeys(("tie_", "tie height", "tie spacing", "quota catena", "interasse catene"), "hold1_design"),
+    **dict.fromkeys(("tie bar length", "lunghezza barra catena"), "hold1_bar_length_m"),
+    **dict.fromkeys(("tie elongation", "allungamento catena"), "hold1_elongation_m"),
+}
+OLD_STARTS |= {f"load{n}_{key}": f"hold{n}_{key}" for n in range(1, MAX_LOADS + 1) for key in OF_A_TIE}
+OLD_STARTS |= {f"load{n}_elongation": f"hold{n}_elongation_m" for n in range(1, MAX_LOADS + 1)}
+"""How older titles began -> the column that says the same now."""
 
 UNIT_WORDS = ("u.m.", "u.m", "unità", "unita", "unit", "units")
 """What stands above or before a row of units."""
@@ -249,8 +256,8 @@ def _heads(cells: list[str]) -> list[str]:
         name = re.sub(r"\s*[\[(].*", "", cell).strip().lower()
         if name.replace(" ", "_") in ("variant_of", "variante_di"):
             raise InputError("variant_of_in_table", column=cell[:60])
-        if name in OLD_COLUMNS or OLD_ARCH.match(name):
-            raise InputError("old_column", column=cell[:60], written=OLD_COLUMNS.get(name, "hold1_spacing_m"))
+        if written := _name_of_older(name):
+            raise InputError("old_column", column=cell[:60], written=written)
         if name not in known:
             near = dict.fromkeys(known[title] for title in get_close_matches(name, known, 5))
             plain = (column for column in columns() if not _OF_PARTS.search(column))
@@ -260,6 +267,17 @@ def _heads(cells: list[str]) -> list[str]:
         keys.append(known[name])
     return keys
 
+
+def _name_of_older(title: str) -> str | None:
+    """The column that says now what one of this title said, None of a title that is not older."""
+    starts = (written for start, written in OLD_STARTS.items() if title.startswith(start))
+    if (written := OLD_COLUMNS.get(title) or next(starts, None)) or not (tie := _OF_A_LOAD.fullmatch(title)):
+        return written
+    keys = (key for key in OF_A_TIE for language in range(len(LANGUAGES)) if tie[2] in _titles(key, language))
+    return next((f"hold{tie[1]}_{key}" for key in keys), None)
+
+
+_OF_A_LOAD = re.compile(r"(?:carico|load) (\d) (.+)")
 
 _REMARK = re.compile(r"[^\W\d_]+([ '-][^\W\d_]+)*")
 _BRACKETS = re.compile(r"[\[(]\s*([^\[\]()]*)")

@@ -117,7 +117,7 @@ def _merge_tables(target: list, wanted: list[dict], content, identity: str | Non
 
 
 def _bare(value):
-    """A value of TOML: nested tables without the keys that are not given."""
+    """A value of TOML: nested tables without the keys that are not given, and without the flags that are not set."""
     if isinstance(value, dict):
-        return {key: _bare(part) for key, part in value.items() if part not in (None, "")}
+        return {key: _bare(part) for key, part in value.items() if part not in (None, "") and part is not False}
     return [_bare(part) for part in value] if isinstance(value, tuple) else value

@@ -10,6 +10,7 @@ from core.codes.kinematic import elastic_period
 from core.codes.kinematic_chain import sum_chain
 from core.codes.masonry_types import moduli
 from core.units import G
+from core.wall.kinematics import kinematics
 from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, with_branch
 
@@ -59,7 +60,7 @@ def can_have_branch(wall: Masonry, mechanism: str) -> bool:
     ways, of a height and a thickness."""
     if wall.bends or wall.height is None or wall.thickness is None or wall.ties:
         return False
-    return mechanism == "one_sided" or wall.sides_are_alike
+    return kinematics(mechanism).one_way or wall.sides_are_alike
 
 
 def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Branch, ...]:
@@ -74,7 +75,7 @@ def branches_of(wall: Masonry, mechanism: str, model: RockingModel) -> tuple[Bra
     branches = []
     for modulus, heaviness in dict.fromkeys(((ends[0], heavy), (ends[1], light))):
         there = replace(wall, modulus=modulus, unit_weight=heaviness)
-        sums = sum_chain(wall if weight is not None else there, mechanism == "two_sided")
+        sums = sum_chain(wall if weight is not None else there, kinematics(mechanism).both_ways)
         period = elastic_period(there)
         assert period is not None
         alpha0, share, _ = sums.start

@@ -14,6 +14,7 @@ from core.codes.record_compatibility import Compliance
 from core.codes.spectrum_codes import CODES
 from core.codes.target_spectrum import displacement_fall
 from core.text.sentence import Key, Number, Sentence, sentence
+from core.wall.kinematics import Kinematics, kinematics
 from core.wall.masonry import Masonry
 
 STOCKY_DEG = 20.0
@@ -74,6 +75,11 @@ class Evidence(NamedTuple):
     kinematic: KinematicAnalysis | None
     compliance: Compliance | None
     circumstances: Circumstances
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """What its mechanism does."""
+        return kinematics(self.mechanism)
 
     @property
     def governing(self) -> Check | None:
@@ -190,7 +196,7 @@ def _of_the_histories(seen: Evidence) -> list[Sentence]:
 def _of_what_holds(seen: Evidence) -> list[Sentence]:
     """What is not known of what restrains a wall: behind it, between its cross walls, or at its top."""
     wall, declared = seen.wall, seen.wall.declared
-    if seen.mechanism == "one_sided":
+    if seen.kinematics.one_way:
         return [] if declared.restraint else [reason("no_restraint")]
     if not wall.bends:
         return []

@@ -23,6 +23,7 @@ from core.codes.vertical_bending import Bending, governing_mechanism
 from core.errors import InputError, place
 from core.units import G
 from core.wall.arch import MIN_THRUST
+from core.wall.kinematics import kinematics
 from core.wall.masonry import Masonry, period_share
 from core.wall.wall_loads import without_ties
 
@@ -218,7 +219,7 @@ def analyse_mechanism(
     """
     wall = _pushed_along(wall, demand, floor)
     wall = _without_what_stretches(wall) if demand.limit_state == "SLD" else wall
-    free, sums = wall.is_free(mechanism), sum_chain(wall, mechanism == "two_sided")
+    free, sums = wall.is_free(mechanism), sum_chain(wall, kinematics(mechanism).both_ways)
     alpha0, e_star, mass = sums.start
     a0 = alpha0 * G / (e_star * demand.confidence_factor)
     # nothing of a_g,SLD counts for SLV that a tie has to stretch for, and no friction, which is lost over a slip

@@ -39,13 +39,11 @@ TO_MEND = {
     "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("spacing_m")),)),
     "heights_left_out": Sentence("reason", "to_hinges", (("building", Key("[building]")),)),
     "hinges_as_asked": Sentence(
-        "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
+        "reason", "to_set_aside", (("key", Key("hinge_heights")), ("set_aside", Key("set_aside")))
     ),
     "end_left_open": Sentence("reason", "to_end", (("key", Key("to_m")), ("building", Key("[building]")))),
     "direction_left_out": Sentence("reason", "to_directions", (("key", Key("all_directions")),)),
-    "stretches_left_out": Sentence(
-        "reason", "give_reason", (("key", Key("hinge_heights")), ("reasons", Key("justification")))
-    ),
+    "stretches_left_out": Sentence("reason", "to_set_aside_stretch", (("set_aside", Key("set_aside")),)),
     "few_sound_records": Sentence("reason", "to_sound_records"),
     "no_spectrum": Sentence("reason", "to_no_spectrum"),
     "not_compatible": Sentence("reason", "to_not_compatible"),

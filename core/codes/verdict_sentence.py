@@ -154,6 +154,6 @@ def outcome(
         "demand": demand.confidence_factor * largest / G,
         "a_rm": threshold / G,
         "unloaded": ""
-        if code == "undetermined" or wall.declared.unloaded or wall.loads
+        if code == "undetermined" or wall.declared.unloaded or any(load.tie is None for load in wall.loads)
         else sentence("added", "unloaded"),
     }

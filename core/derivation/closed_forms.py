@@ -48,14 +48,14 @@ def closed_q_eff(wall: WallResult) -> Quantity:
 
 def constants(wall: WallResult) -> dict[str, float]:
     """Coefficients of Eq. 15, of a one-sided wall those of Eq. 16."""
-    return dict(zip(("a1", "a2", "a3", "c2"), COEFFICIENTS[wall.mechanism == "one_sided"], strict=True))
+    return dict(zip(("a1", "a2", "a3", "c2"), COEFFICIENTS[wall.kinematics.one_way], strict=True))
 
 
 def closed(wall: WallResult) -> Section:
     """Lines of q by the closed form at the demand."""
     if wall.closed_form_q is None:
         return Section("", [])
-    form = {"form": "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"}
+    form = {"form": "Eq. 16" if wall.kinematics.one_way else "Eq. 15"}
     lines = [
         Line(closed_q_eff(wall), wall.closed_form_q_eff, words=form),
         Line(q_closed, wall.closed_form_q, words=form),

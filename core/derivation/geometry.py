@@ -9,7 +9,7 @@ from core.known import require_value
 from core.study.results import WallResult
 from core.units import G
 from core.wall.block import Block
-from core.wall.masonry import ARCHES, load_to_force
+from core.wall.masonry import load_to_force
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import seen_from
 from core.wall.solids import Part
@@ -32,13 +32,13 @@ def shown_block(wall: WallResult) -> Block:
 def geometry(wall: WallResult) -> Section:
     """Section of the block: sizes, slenderness, radius, frequency parameter, uplift, velocity ratio."""
     asked, block = wall.wall, shown_block(wall)
-    if asked.mechanism == ARCHES:
+    if asked.kinematics.arches:
         return arch.geometry(wall)
     if asked.bends:
         return bending.geometry(wall)
     by_sizes = asked.height_m is not None and (asked.slenderness_deg is None or asked.setback > 0.0)
     lines: list[Line | Columns] = []
-    if asked.load:
+    if asked.is_loaded:
         lines = _loaded(wall)
     elif asked.parts:
         lines = _body(wall)
@@ -85,9 +85,9 @@ def _sizes(wall: WallResult) -> list[Line | Columns]:
     """Lines of the sizes the case gives."""
     asked = wall.wall
     lines: list[Line | Columns] = [Line(body.HEIGHT, wall.height, INPUT)]
-    if asked.slenderness_deg is None or asked.setback or asked.load or asked.has_shape:
+    if asked.slenderness_deg is None or asked.setback or asked.is_loaded or asked.has_shape:
         lines.append(Line(body.THICKNESS, wall.thickness, INPUT))
-    if asked.setback or asked.load or asked.has_shape:
+    if asked.setback or asked.is_loaded or asked.has_shape:
         lines.append(Line(body.SETBACK, asked.setback, RUN if asked.compressive_strength_mpa else INPUT))
     return lines
 
@@ -131,7 +131,7 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
     of_body = asked.parts
     where = "Loads, about the outer hinge" if side > 0.0 else "Loads, about the inner hinge"
     rows = []
-    tied, at_limit = any(load.is_tie for load in asked.load), forces_at_limit(wall)
+    tied, at_limit = bool(asked.ties), forces_at_limit(wall)
     counted = (
         wall.required_assessment.kinematic.wall
         if wall.assessment and wall.required_assessment.kinematic
@@ -182,12 +182,12 @@ def _loaded(wall: WallResult) -> list[Line | Columns]:
 def forces_at_limit(wall: WallResult) -> list[float]:
     """Force the displacement check counts of each tie at its limit [kN/m]."""
     kinematic = wall.required_assessment.kinematic if wall.assessment else None
-    given = [load for load in wall.wall.load if load.is_tie]
+    given = wall.wall.ties
     if not (kinematic and kinematic.d_limit is not None and kinematic.chain.ties):
         return [0.0 for _ in given]
     theta = kinematic.chain.rotation(kinematic.d_limit)
     forces = [tie.bar.force_at(theta) for tie in wall.wall.in_si.ties]
-    return [0.0 if load.slack_mm else 1e-3 * force for load, force in zip(given, forces, strict=True)]
+    return [0.0 if tie.slack_mm else 1e-3 * force for tie, force in zip(given, forces, strict=True)]
 
 
 def _impacts(wall: WallResult) -> list[Line]:

@@ -113,7 +113,7 @@ def linear(result: StudyResult, wall: WallResult) -> Section:
 def _q_slv(wall: WallResult):
     """How q SLV is counted: from the uplift of the wall without its ties and without friction."""
     friction = wall.mechanics.chain.alpha0_friction is not None
-    if any(load.is_tie for load in wall.wall.load):
+    if wall.wall.ties:
         return checks.linear_q_slv_with_ties_and_friction if friction else checks.linear_q_slv_with_ties
     return checks.linear_q_slv_with_friction if friction else checks.linear_q_slv
 
@@ -144,7 +144,7 @@ def _free(wall: WallResult, target: CodeSpectrum | None) -> list[Line | Columns]
     if asked.parts:
         note = "of the section at the base, by Rayleigh's quotient over the mass of the body"
         lines.append(Line(checks.T0_GIVEN, kinematic.period_0, RUN, VALUE, note))
-    elif asked.load:
+    elif asked.is_loaded:
         lines.append(Line(checks.period_0_with_loads, kinematic.period_0, note=SYMBOLS))
     else:
         lines.append(Line(body.UNIT_WEIGHT, asked.unit_weight_kn_m3, INPUT))
@@ -175,7 +175,7 @@ def displacement(result: StudyResult, wall: WallResult) -> Section:
     constants = {"share": LIMIT_FRACTION[state], "factor": PERIOD_FACTOR[state] / math.pi, "damping": damping}
     if kinematic.chain.bending is not None:
         d0 = arch.collapse(wall) if wall.mechanics.wall.arch else bending.collapse(wall)
-    elif not wall.wall.load:
+    elif not wall.wall.is_loaded:
         d0 = [Line(checks.d0, kinematic.d0, note=FULL)]
     elif sides_agree(wall):
         d0 = [_centroid_at_collapse(wall), Line(checks.d0_with_loads, kinematic.d0, note=SYMBOLS)]
@@ -230,7 +230,7 @@ def _floor(wall: WallResult) -> list[Line]:
     """Lines of a_g,SLD, below which a_g,SLV of the displacement check is not: without what has to stretch or slip."""
     kinematic, lines = wall.mechanics, list[Line]()
     friction = kinematic.chain.alpha0_friction is not None
-    tied = any(load.is_tie for load in wall.wall.load)
+    tied = bool(wall.wall.ties)
     if kinematic.wall.arch is not None and kinematic.wall.arch.tied:
         tied, alone = True, kinematic.chain.alpha0_bare
         lines.append(Line(arch.ALPHA0_BARE, alone, RUN, VALUE, "before its ties are stretched"))

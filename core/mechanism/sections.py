@@ -92,7 +92,7 @@ class Sections:
     @cached_property
     def thrusts(self) -> float:
         """Sum of the thrusts, positive outward [N/m]."""
-        return math.fsum(load.force for load in self.wall.loads if load.kind == "thrust")
+        return math.fsum(load.force for load in self.wall.loads if load.is_thrust)
 
     def at(self, z: float) -> Section:
         """The section just above a height [m]: a load at that very height is below it."""
@@ -128,7 +128,7 @@ class Sections:
                     push += load.force * (load.height - z)
                     pushed += load.force
         pressing = math.fsum(
-            load.force * (load.height - z) for load in wall.loads if load.kind == "thrust" and is_above(load.height)
+            load.force * (load.height - z) for load in wall.loads if load.is_thrust and is_above(load.height)
         )
         about_outer = math.fsum(force * (place - outer) for force, place in moments)
         about_inner = math.fsum(force * (inner - place) for force, place in moments)

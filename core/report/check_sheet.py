@@ -147,7 +147,7 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows
 def _records(rows: Rows, wall: WallResult, row: int) -> int:
     """The governing run of each record: Eq. 10, 12 and 15/16, live and of the program."""
     book, sheet, name, say = rows.book, rows.sheet, rows.prefix, rows.book.say
-    form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
+    form = "Eq. 16" if wall.kinematics.one_way else "Eq. 15"
     header(
         sheet,
         row,

@@ -133,7 +133,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
         if wall.power_law:
             add_series(chart, sheet, (column + 2, column + 3), (2, last_curve), ACCENT)
         add_series(chart, sheet, (column + 2, column + 4), (2, last_curve), BAD)
-        if wall.per_record and law_of(wall.mechanism == "one_sided", wall.law, "q"):
+        if wall.per_record and law_of(wall.kinematics.one_way, wall.law, "q"):
             add_series(chart, sheet, (column, column + 7), (2, last_point), GOOD, points=True)
             chart.series[-1].marker.symbol = "diamond"
         for k in (5, 6):
@@ -152,7 +152,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
 
 def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int]:
     """Points and curves behind one chart; returns their last rows."""
-    form = "Eq. 16" if wall.mechanism == "one_sided" else "Eq. 15"
+    form = "Eq. 16" if wall.kinematics.one_way else "Eq. 15"
     law = wall.power_law
     fit = f"C1 SI^C2 (R² {book.digits(law.r_squared, '.2f')})" if law else "–"
     text(sheet, 1, column, f"{wall.name} {word(wall.mechanism, book.language)}", color=QUIET)
@@ -172,7 +172,7 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
         column,
         30,
     )
-    scale_free = law_of(wall.mechanism == "one_sided", wall.law, "q")
+    scale_free = law_of(wall.kinematics.one_way, wall.law, "q")
     row = 2
     points = [entry for entry in wall.per_record if entry.q is not None]
     for entry in points:
@@ -189,7 +189,7 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     last = max(entry.intensity for entry in points)
     places = np.geomspace(0.8 * first, 1.25 * last, CURVE_POINTS - 2)
     for k, si in enumerate(np.sort([*places, first, last])):
-        q_eff = closed_form_q_eff(wall.block.slenderness, wall.block.height, float(si), wall.mechanism == "one_sided")
+        q_eff = closed_form_q_eff(wall.block.slenderness, wall.block.height, float(si), wall.kinematics.one_way)
         number(sheet, 3 + k, column + 2, float(si) / CM, RATIO)
         if law and first <= si <= last:
             number(sheet, 3 + k, column + 3, law.q_eff(float(si)), RATIO)
@@ -213,7 +213,7 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
         chart = new_chart(label, "t [s]", "θ/θc [-]", *(DOUBLE_CHART if abreast else SINGLE_CHART))
         add_series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
         add_series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
-        one_sided = entry.wall.mechanism == "one_sided"
+        one_sided = entry.wall.kinematics.one_way
         chart.y_axis.scaling.min = -0.25 if one_sided else -1.5
         chart.y_axis.scaling.max = 1.5
         chart.x_axis.scaling.min = 0

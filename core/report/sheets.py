@@ -24,6 +24,7 @@ from core.report.cells import (
     text,
     title,
 )
+from core.report.confirmed import unconfirmed_holds
 from core.report.selection_rows import selection_rows
 from core.report.stated.quantity import serialize
 from core.report.stated.records import RECORD
@@ -31,7 +32,6 @@ from core.report.stated.walls import RUN, RunSource
 from core.study.results import StudyResult
 from core.text.sentence import localized, word
 from core.version import NAME, VERSION, commit
-from core.wall.masonry import ARCHES, BENDS
 from core.wall.restitution import MODELS
 
 METHOD = (
@@ -285,8 +285,7 @@ def method(book: Book, result: StudyResult) -> None:
         rule(sheet, row, 1, 2)
         row += 1
     row = _uncertainty(book, sheet, result, row + 1)
-    mechanisms = {wall.mechanism for wall in result.walls}
-    without = {code for code, of in (("held_top", BENDS), ("held_ends", ARCHES)) if of not in mechanisms}
+    without = unconfirmed_holds(wall.wall for wall in result.walls)
     for code in (one for one in METHOD if one not in without):
         label = localized("method_label", code, book.language)
         body = localized("method_body", code, book.language)

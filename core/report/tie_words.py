@@ -51,7 +51,7 @@ def tie_words(say: Callable[..., str], wall: WallResult, language: str) -> str:
         words = [say("No tie {h:.2f} m above the base is needed. [kN/m] {forces}.", **values)]
     else:
         values |= {"force": 1e-3 * tie.force, "by": word(f"tie_{tie.check}", language)}
-        if any(load.is_tie for load in wall.wall.load):
+        if wall.wall.ties:
             first = say(
                 "A further tie {h:.2f} m above the base must hold {force:.2f} kN/m ({by}), for the one-sided "
                 "mechanism. [kN/m] {forces}.",
@@ -92,7 +92,7 @@ def tie_lines(wall: WallResult, language: str) -> list[str]:
         return localized("report", english, language, **values)
 
     tie = wall.required_assessment.tie if wall.assessment else None
-    asked = wall.part.asked.tie_height_m is not None and wall.part.hinge == 0.0 and wall.mechanism == "one_sided"
+    asked = wall.part.asked.sought is not None and wall.part.hinge == 0.0 and wall.kinematics.one_way
     if tie is None and wall.assessment and asked:
         return [
             *describe_ties(say, wall, language),
@@ -130,7 +130,7 @@ def _of_the_bar(say: Callable[..., str], tie: TieDesign) -> list[str]:
 
 def describe_ties(say: Callable[..., str], wall: WallResult, language: str) -> list[str]:
     """A sentence for each tie of a wall: what it holds, how far it is stretched, and what governs."""
-    given = [load for load in wall.wall.load if load.is_tie]
+    given = wall.wall.ties
     sentences = []
     for load, tie in zip(given, wall.wall.in_si.ties if given else (), strict=True):
         bar = tie.bar

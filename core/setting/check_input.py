@@ -9,7 +9,7 @@ from typing import Any
 from core.case.held_top import mirror_inward
 from core.case.schema import Generate
 from core.case.site import Building, Demand
-from core.case.wall import ARCHES, BENDS, Wall
+from core.case.wall import Wall
 from core.codes.demand import SeismicDemand, complete_with_records
 from core.codes.dynamic_check import run_dynamic_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
@@ -38,6 +38,7 @@ from core.setting.floors import Floor, make_floor
 from core.text.sentence import Sentence
 from core.wall.arch import MIN_THRUST
 from core.wall.bending import strip_of
+from core.wall.kinematics import Kinematics, kinematics
 from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, rocking_model
 
@@ -48,11 +49,11 @@ ESTIMATES = 0.5, 1.0, 2.0
 def make_rocking_model(wall: Wall, mechanism: str) -> RockingModel:
     """The rocking model of a wall."""
     own = wall.in_si
-    if wall.mechanism == ARCHES:  # alike to both sides, but for what presses it outward
+    if wall.kinematics.arches:  # alike to both sides, but for what presses it outward
         return model_of_bending(strip_of(own), strip_of(own))
     if wall.bends:
         return model_of_bending(strip_of(own), strip_of(mirror_inward(wall).in_si))
-    one_sided, restitution = mechanism == "one_sided", wall.restitution_of(mechanism)
+    one_sided, restitution = kinematics(mechanism).one_way, wall.restitution_of(mechanism)
     return rocking_model(own.block, one_sided, restitution, own.law, own.restoring, own.bars, own.inner_block)
 
 
@@ -109,6 +110,11 @@ class CheckInput:
     period_taken: bool = False
     left_out: tuple[Sentence, ...] = ()
 
+    @property
+    def kinematics(self) -> Kinematics:
+        """What its mechanism does."""
+        return kinematics(self.mechanism)
+
     @cached_property
     def model(self) -> RockingModel:
         return make_rocking_model(self.wall, self.mechanism)
@@ -128,7 +134,7 @@ class CheckInput:
     def _moving(self) -> dict[str, tuple[Masonry, MovingStrip]]:
         """Side -> the wall that bends to it, and its strip with the hinge of the least multiplier."""
         walls = {"outward": self.wall.in_si}
-        if self.wall.mechanism == BENDS:
+        if self.wall.kinematics.bends_up:
             walls["inward"] = mirror_inward(self.wall).in_si
         strips = {side: strip_of(wall) for side, wall in walls.items()}
         return {side: (wall, MovingStrip(strips[side], lowest_hinge(strips[side]))) for side, wall in walls.items()}

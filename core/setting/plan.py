@@ -12,7 +12,7 @@ from core.case.hinges import WallPart, count_wall_parts, make_wall_parts, varian
 from core.case.register import find_left_out
 from core.case.schema import Case
 from core.case.site import Building
-from core.case.wall import ARCHES, Wall
+from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
 from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
@@ -29,6 +29,7 @@ from core.setting.held_shares import find_push, scale_beside, share_out
 from core.setting.record_input import join_motions, read_records
 from core.setting.record_selection import Selection, select_records
 from core.units import G
+from core.wall.kinematics import Kinematics, kinematics
 from core.wall.rocking_model import RockingModel
 
 
@@ -48,6 +49,11 @@ class PlannedWall(NamedTuple):
     floor: Floor | None
     felt: list[GroundMotion]
     kinematic: KinematicAnalysis | None
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """What its mechanism does."""
+        return kinematics(self.mechanism)
 
 
 @dataclass(frozen=True)
@@ -110,7 +116,7 @@ class Plan:
         if self.case.default_histories:
             return []
         entry = self.entries[k]
-        if entry.part.wall.mechanism == ARCHES:
+        if entry.part.wall.kinematics.arches:
             return []
         return [(k, record, sign) for record in range(len(entry.felt)) for sign in entry.signs]
 
@@ -130,7 +136,7 @@ class Plan:
         """Longest period of the mechanisms [s], 0 without one."""
         if self.longest is not None:
             return self.longest
-        counted = (entry for entry in self.entries if entry.part.wall.mechanism != ARCHES)  # those have no histories
+        counted = (entry for entry in self.entries if not entry.part.wall.kinematics.arches)  # those have no histories
         return max((one.kinematic.period or 0.0 for one in counted if one.kinematic), default=0.0)
 
 

@@ -206,7 +206,7 @@ def _wall_lines(entry: PlannedWall) -> dict[str, Any]:
         "LOADS": [(force.vertical, force.horizontal, force.distance, force.height) for force in forces],
         "TIES": [(one.horizontal, one.height) for one in held],
         "MASSES": [(mass.mass * G, mass.distance, mass.height) for mass in wall.masses],
-        "TWO_SIDED": entry.mechanism == "two_sided",
+        "TWO_SIDED": entry.kinematics.both_ways,
     }
 
 
@@ -223,14 +223,14 @@ def _demand_lines(entry: PlannedWall, demand: SeismicDemand) -> dict[str, Any]:
 def _by_hand(entry: PlannedWall, demand: SeismicDemand | None, model: RockingModel) -> dict[str, float]:
     """Name in the script -> number of the program."""
     numbers, own = {}, entry.kinematic
-    for side, name in ((1.0, "outer"), (-1.0, "inner")) if entry.mechanism == "two_sided" else ((1.0, "outer"),):
+    for side, name in ((1.0, "outer"), (-1.0, "inner")) if entry.kinematics.both_ways else ((1.0, "outer"),):
         seen = seen_from.py_func(model, side)
         held, alpha = seen.restoring, seen.slenderness
         numbers[f"alpha, {name} hinge [rad]"] = alpha
         numbers[f"p^2, {name} hinge [1/s2]"] = seen.p2
         numbers[f"collapse rotation, {name} hinge [rad]"] = alpha + held.lean
         numbers[f"uplift a_RM / g, {name} hinge"] = held.sine * np.tan(alpha) + held.cosine
-    sums = own.chain if own else sum_chain(entry.part.wall.in_si, entry.mechanism == "two_sided")
+    sums = own.chain if own else sum_chain(entry.part.wall.in_si, entry.kinematics.both_ways)
     numbers |= {"alpha_0 (C8.7.1.1)": sums.alpha0, "e* (C8.7.1.5)": sums.e_star, "d_0 [m]": sums.d0}
     if own is None or demand is None:
         return numbers

@@ -60,7 +60,7 @@ def task_costs(plan: Plan) -> dict[Any, float]:
     for k, entry in enumerate(plan.entries):
         if plan.demand:
             costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None)
-            if entry.part.wall.tie_height_m is not None:
+            if entry.part.wall.sought is not None:
                 costs["tie", k] = TIE_COST * costs["check", k]
             if plan.case.sensitivity:
                 cost = SENSITIVITY_COST * costs["check", k]

@@ -33,6 +33,7 @@ from core.variation.assessment import Assessment
 from core.variation.swings import Sensitivity
 from core.wall.block import Block
 from core.wall.impact import Restitution
+from core.wall.kinematics import Kinematics, kinematics
 from core.wall.moment_rotation import MomentLaw
 from core.wall.rocking_model import RockingModel
 
@@ -114,6 +115,11 @@ class WallResult:
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
     floor: Floor | None = None
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """What its mechanism does."""
+        return kinematics(self.mechanism)
 
     @property
     def wall(self) -> Wall:

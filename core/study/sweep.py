@@ -7,7 +7,8 @@ from typing import Any
 
 from core.case.floor_loads import isolate_wall
 from core.case.held_top import move_top_loads
-from core.case.loads import Bars, Load, ReturnWalls
+from core.case.hold import Bars, Hold
+from core.case.loads import Load, ReturnWalls
 from core.case.rules import parse_case
 from core.case.schema import Case
 from core.case.site import Building, Demand, Spectrum
@@ -15,14 +16,12 @@ from core.case.variant_of import ALTERNATIVES
 from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
+from core.known import require_value
 from core.setting.plan import select_case_records
 from core.study.journal import MemoryJournal
 from core.study.results import StudyResult
 from core.study.run import run
 from core.study.wall_verdict import counted_walls
-
-TIE_DESIGN_KEYS = "tie_"
-"""How the keys of the tie that is sought begin: no check counts it."""
 
 NOT_SWEPT = ("zeta_target", "q_code")
 """Keys of the demand that name what is shown, the line required and a check."""
@@ -38,11 +37,11 @@ MAX_VALUES = 200
 
 @dataclass(frozen=True)
 class SweepKey:
-    """A key that is swept. section : its class; load : index of the load it is of, None where of none"""
+    """A key that is swept. section : its class; index : of the load or hold it is of, None where of none"""
 
     section: type
     name: str
-    load: int | None = None
+    index: int | None = None
 
 
 @dataclass(frozen=True)
@@ -68,22 +67,24 @@ def sweep_keys(case: Case, k: int) -> list[SweepKey]:
     """The numbers of the k-th wall, and of the case as far as it is given, that can be swept."""
     wall = case.wall[k]
     other = OF_GENERAL_BLOCK if wall.radius_m is None else OF_RECTANGLE
-    keys = [key for key in _keys(Wall) if not key.name.startswith(TIE_DESIGN_KEYS) and key.name not in other]
+    keys = [key for key in _keys(Wall) if key.name not in other]
     for n, load in enumerate(wall.load):
         keys += _given(load, n)
-        keys += _given(load.bar, n) if load.bar else []
+    for n, hold in enumerate(wall.hold):
+        keys += [] if hold.design else _given(hold, n)
+        keys += _given(hold.bar, n) if hold.bar else []
     spectrum = case.demand.spectrum if case.demand else None
     for section in (wall.return_walls, case.demand, spectrum, case.building):
         keys += _given(section) if section else []
     return [key for key in keys if key.name not in NOT_SWEPT]
 
 
-def _keys(section: type, load: int | None = None) -> list[SweepKey]:
-    return [SweepKey(section, entry.name, load) for entry in fields(section) if entry.metadata["kind"] == "float"]
+def _keys(section: type, index: int | None = None) -> list[SweepKey]:
+    return [SweepKey(section, entry.name, index) for entry in fields(section) if entry.metadata["kind"] == "float"]
 
 
-def _given(section: Any, load: int | None = None) -> list[SweepKey]:
-    return [key for key in _keys(type(section), load) if getattr(section, key.name) is not None]
+def _given(section: Any, index: int | None = None) -> list[SweepKey]:
+    return [key for key in _keys(type(section), index) if getattr(section, key.name) is not None]
 
 
 def value_at(case: Case, k: int, key: SweepKey) -> float | None:
@@ -96,36 +97,38 @@ def value_at(case: Case, k: int, key: SweepKey) -> float | None:
 
 def _holder(case: Case, wall: Wall, key: SweepKey) -> Any:
     """The section a key is in."""
-    loads: dict[type, Any] = {}
-    if key.load is not None:
-        load = wall.load[key.load]
-        loads = {Load: load, Bars: load.bar}
+    if key.section is Load:
+        return wall.load[require_value(key.index)]
+    if key.section in (Hold, Bars):
+        hold = wall.hold[require_value(key.index)]
+        return hold if key.section is Hold else hold.bar
     spectrum = case.demand.spectrum if case.demand else None
     of_case = {ReturnWalls: wall.return_walls, Demand: case.demand, Spectrum: spectrum, Building: case.building}
-    return ({Wall: wall} | loads | of_case)[key.section]
+    return ({Wall: wall} | of_case)[key.section]
 
 
 def set_swept_value(case: Case, k: int, key: SweepKey, value: float) -> Case:
     """The case with the k-th wall alone and another value of a key; another way to give the same size goes, and no tie
     is sought. Raises InputError where a rule is broken."""
-    designed: dict[str, Any] = {e.name: None for e in fields(Wall) if e.name.startswith(TIE_DESIGN_KEYS)}
     case = isolate_wall(case, k)
-    wall = replace(case.wall[0], **designed)
+    wall = case.wall[0]
     changed = replace(_holder(case, wall, key), **{key.name: value})
     if key.section is Wall:
         others = next((keys for keys in ALTERNATIVES if key.name in keys), ())
         empty: dict[str, Any] = {one: 0.0 if one == "hinge_setback_m" else None for one in others if one != key.name}
         wall = move_top_loads(wall, replace(changed, **empty))
-    elif key.load is not None:
-        load = changed if key.section is Load else replace(wall.load[key.load], bar=changed)
-        wall = replace(wall, load=(*wall.load[: key.load], load, *wall.load[key.load + 1 :]))
+    elif key.section is Load:
+        wall = replace(wall, load=tuple(changed if n == key.index else load for n, load in enumerate(wall.load)))
+    elif key.section in (Hold, Bars):
+        hold = changed if key.section is Hold else replace(wall.hold[require_value(key.index)], bar=changed)
+        wall = replace(wall, hold=tuple(hold if n == key.index else other for n, other in enumerate(wall.hold)))
     elif key.section is ReturnWalls:
         wall = replace(wall, return_walls=changed)
     elif key.section is Building:
         case = replace(case, building=changed)
     elif case.demand:
         case = replace(case, demand=replace(case.demand, spectrum=changed) if key.section is Spectrum else changed)
-    case = replace(case, wall=(wall,), analysis=replace(case.analysis, accuracy=False))
+    case = replace(case, wall=(wall.without_sought(),), analysis=replace(case.analysis, accuracy=False))
     return parse_case(table_of(case))
 
 

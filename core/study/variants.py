@@ -27,8 +27,8 @@ def changed_keys(before: Wall, after: Wall) -> tuple[str, ...]:
     return tuple(
         entry.name
         for entry in fields(Wall)
-        if entry.name not in ("name", "variant", "notes", "tie_height_m", "unloaded_confirmed")
-        and getattr(before, entry.name) != getattr(after, entry.name)
+        if entry.name not in ("name", "variant", "notes", "unloaded_confirmed")
+        and getattr(before.without_sought(), entry.name) != getattr(after.without_sought(), entry.name)
     )
 
 

@@ -20,6 +20,7 @@ from core.text.sentence import Key, Sentence, notice, sentence
 from core.units import CM
 from core.wall.block import Block
 from core.wall.impact import MOMENTUM, Restitution
+from core.wall.kinematics import kinematics
 from core.wall.restitution import MODELS, housner_ratio, one_sided_ratio
 from core.wall.rocking_model import RockingModel
 from core.wall.solids import MIN_BASE, section_area
@@ -107,7 +108,7 @@ def wall_result(part: WallPart, mechanism, model, runs, motions, search, demand,
     """
     wall = part.wall
     block, law = wall.block(), wall.moment_law()
-    one_sided = mechanism == "one_sided"
+    one_sided = kinematics(mechanism).one_way
     per_record = [
         _per_record(
             motion,
@@ -198,7 +199,7 @@ def unusual_input(wall: Wall) -> list[Sentence]:
         notices.append(notice("odd_modulus", e=modulus, low=USUAL_MODULI[0], high=USUAL_MODULI[1]))
     if wall.masonry:
         notices += _unlike_its_masonry(wall)
-    if wall.load and t is not None:
+    if wall.is_loaded and t is not None:
         weight = wall.in_si.weight + wall.in_si.vertical_loads
         stress = 1e-6 * weight / (t - 2.0 * wall.setback)
         if parts := wall.parts:
@@ -240,13 +241,13 @@ def _model_notices(wall, block, mechanism, model, restitution, law) -> list[Sent
     notices = []
     if restitution.model == "costa_upper" and restitution.ratio_at_rest > housner_ratio(block, wall.in_si.contact):
         notices.append(notice("costa_above_housner", alpha=float(np.degrees(block.slenderness))))
-    if mechanism == "one_sided" and not (MODELS[restitution.model].one_sided or restitution.model == "user"):
+    if kinematics(mechanism).one_way and not (MODELS[restitution.model].one_sided or restitution.model == "user"):
         notices.append(notice("hogan", model=restitution.model))
     if restitution.ratio_at_rest > NEARLY_ELASTIC and restitution.model == "user":
         notices.append(notice("nearly_elastic", ratio=restitution.ratio_at_rest))
-    if wall.height_m is not None and wall.setback > 0.0 and not wall.load:
+    if wall.height_m is not None and wall.setback > 0.0 and not wall.is_loaded:
         notices.append(notice("setback_height", height=block.height))
-    elif not block.is_rectangle and not wall.load:
+    elif not block.is_rectangle and not wall.is_loaded:
         notices.append(notice("general_height", height=block.height))
         if MODELS[restitution.model].one_sided and wall.height_m is None:
             notices.append(notice("general_contact"))
@@ -297,7 +298,7 @@ def _power_law_notices(wall, with_q, power_law) -> list[Sentence]:
 
 def model_notices(mechanism, restitution, law) -> list[Sentence]:
     """Notice that a wall has another velocity ratio or law than Eq. 15 and 16."""
-    fitted = "one_sided_theoretical" if mechanism == "one_sided" else "housner"
+    fitted = "one_sided_theoretical" if kinematics(mechanism).one_way else "housner"
     if restitution.model == fitted and law.is_rigid:
         return []
     return [notice("eq15_model", fitted=fitted, used=restitution.model + ("" if law.is_rigid else " + D1, D2"))]
@@ -306,7 +307,7 @@ def model_notices(mechanism, restitution, law) -> list[Sentence]:
 def _form_notices(wall, block, mechanism, restitution, law, per_record, demand, checks) -> list[Sentence]:
     """Notices on the closed forms, which are not shown above the ground or with loads."""
     if not wall.has_closed_forms:
-        return [notice("no_closed_forms")] if wall.load and not (wall.above_ground or wall.bends) else []
+        return [notice("no_closed_forms")] if wall.is_loaded and not (wall.above_ground or wall.bends) else []
     pgas: list = [(entry.record, entry.pga) for entry in per_record]
     if demand:
         pgas.append((sentence("word", "choice_demand"), demand.pga))

@@ -193,10 +193,10 @@ class _Wall:
     def _with_tie(self, demand: SeismicDemand) -> Work:
         """The design of its tie, where one is asked for; a wall one of whose hinges has no check has none."""
         given = self.given
-        counted = [k for k, entry in self.entries.items() if entry.part.wall.tie_height_m is not None]
+        counted = [k for k, entry in self.entries.items() if entry.part.wall.sought is not None]
         asked = next(iter(self.entries.values())).part.asked
-        group = {k: wall for k, wall in self.results.items() if wall.mechanism == "one_sided"}
-        whole = asked.tie_height_m is not None and all(wall.required_assessment.kinematic for wall in group.values())
+        group = {k: wall for k, wall in self.results.items() if wall.kinematics.one_way}
+        whole = asked.sought is not None and all(wall.required_assessment.kinematic for wall in group.values())
         if not whole:
             for k in counted:
                 given.progress.done(("tie", k), False)

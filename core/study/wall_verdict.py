@@ -3,6 +3,7 @@
 from core.case.floor_loads import add_floor_loads
 from core.case.hinges import best_way, default_hinges
 from core.case.schema import Case
+from core.case.set_aside import OVERTURNING
 from core.case.site import Demand
 from core.case.wall import Wall
 from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, sort_assumptions
@@ -118,18 +119,19 @@ def sort_by_severity(verdicts: tuple[WallVerdict, ...], walls) -> list[WallVerdi
 
 
 def _left_out(asked: Wall, case: Case, walls, indices) -> list[Sentence]:
-    """Heights at which a mechanism may start and that the engineer leaves out for a reason; the others are a limit of
-    the hinge at the base."""
-    if asked.hinge_heights is None or not (asked.justification and asked.justification.hinge_heights):
-        return []
+    """Heights at which a mechanism may start and that the engineer sets aside; the others are a limit of the hinge at
+    the base."""
     checked = {round(walls[k].part.hinge, 3) for k in indices if walls[k].part.turns}
     usual = [
-        h for h in default_hinges(add_floor_loads(asked, case.building), case.building) if round(h, 3) not in checked
+        height
+        for height in default_hinges(add_floor_loads(asked, case.building), case.building)
+        if round(height, 3) not in checked
+        and any(entry.covers(OVERTURNING, height, height) for entry in asked.set_aside)
     ]
     if not usual:
         return []
     heights = tuple(Number(height, ".4g") for height in usual)
-    return [sentence("reason", "hinges_as_asked", heights=heights, key=Key("hinge_heights"))]
+    return [sentence("reason", "hinges_set_aside", heights=heights, key=Key("set_aside"))]
 
 
 def collect_assumptions(result: StudyResult, verdict: WallVerdict) -> tuple[Assumption, ...]:
@@ -157,7 +159,7 @@ def hinge_location(wall: WallResult) -> Sentence | str:
     if not wall.part.aspect:
         return there
     return sentence(
-        "added", "of_direction" if wall.mechanism == "two_sided" else "of_leaf", aspect=wall.part.aspect, there=there
+        "added", "of_direction" if wall.kinematics.both_ways else "of_leaf", aspect=wall.part.aspect, there=there
     )
 
 

@@ -4,8 +4,9 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
+from core.case.hold import TIE
 from core.case.load_rules import carries
-from core.case.wall import ARCHES, Wall
+from core.case.wall import Wall
 from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import SLD_CLAUSE, Check, KinematicAnalysis, zeta_with_and_without_ties
@@ -139,9 +140,9 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
         limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
     free = unheld or _overturning(scene, cancelled)
     bound, passes = (free.zeta, free.satisfied) if free else (None, None)
-    if free is not None and dynamic is None and free.satisfied and scene.wall.mechanism != ARCHES:
+    if free is not None and dynamic is None and free.satisfied and not scene.wall.kinematics.arches:
         free, passes = None, False  # that it overturns only histories say, which lower zeta of the clauses
-    if bound is not None or (made and (scene.wall.mechanism == "one_sided" or scene.wall.bends)):
+    if bound is not None or (made and (scene.wall.kinematics.one_way or scene.wall.bends)):
         raised = (*raised, _of_the_restraint(evaluation, free))
     if (arch := kinematic.wall.arch) is not None:
         raised = (*raised, _of_the_arch(evaluation, arch))
@@ -189,10 +190,10 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     rest to either side"""
     wall, hold = evaluation.scene.wall, evaluation.scene.wall.held_by
     # what holds a top has to be shown to stand, of what is behind a wall it is enough that it is there
-    enough = hold is not None and (not wall.bends or hold.shows_strength or hold.kind == "tie")
+    enough = hold is not None and (not wall.bends or hold.shows_strength or hold.kind == TIE)
     shown = hold.evidence if hold and enough else None
     code = "top_fails" if wall.bends else "restraint_fails"
-    if wall.mechanism == ARCHES:
+    if wall.kinematics.arches:
         code = "ends_fail"
     if free is None:
         unfollowed = evaluation.dynamic is None and (wall.bends or wall.in_si.rocks_both_ways)
@@ -218,7 +219,7 @@ def _without_restraint(
 ) -> Evaluation | None:
     """A one-sided wall with histories as it rocks both ways where what restrains it fails; None of another wall."""
     wall = scene.wall
-    if dynamic is None or wall.mechanism != "one_sided" or not wall.in_si.rocks_both_ways:
+    if dynamic is None or not wall.kinematics.one_way or not wall.in_si.rocks_both_ways:
         return None
     free = replace(wall, mechanism="two_sided", restitution=None, velocity_ratio=None)
     return evaluate(scene.replace_parts(wall=free, mechanism="two_sided"), other=False, cancelled=cancelled)
@@ -231,7 +232,7 @@ def _overturning(scene: CheckInput, cancelled: Callable[[], bool]) -> Evaluation
     if not wall.bends or not carries(wall):
         return None
     try:
-        alone = replace(wall, mechanism="one_sided", hold=tuple(hold.alone for hold in wall.hold))
+        alone = replace(wall, mechanism="one_sided", hold=tuple(hold.alone for hold in wall.restraints))
         free = scene.replace_parts(wall=alone, mechanism="one_sided")
         return evaluate(free, other=False, cancelled=cancelled)
     except InputError:
@@ -297,13 +298,13 @@ def _hold_remark(evaluation: Evaluation) -> list[Sentence]:
 def _of_ties_not_counted(evaluation: Evaluation) -> list[Sentence]:
     """Sentences on what the clauses do not count of ties; the other reading of SLD is shown, not taken."""
     wall, kinematic = evaluation.scene.wall, evaluation.kinematic
-    if kinematic is None or not any(load.is_tie for load in wall.load):
+    if kinematic is None or not wall.ties:
         return []
     if evaluation.scene.demand.limit_state == "SLD" and kinematic.zeta_sld is not None:
-        alpha, share, _ = sum_chain(wall.in_si, evaluation.scene.mechanism == "two_sided").start
+        alpha, share, _ = sum_chain(wall.in_si, evaluation.scene.kinematics.both_ways).start
         zeta = kinematic.zeta_sld * (alpha / share) / (kinematic.alpha0 / kinematic.e_star)
         return [sentence("reason", "ties_at_sld", zeta=Number(zeta))]
-    if any(load.slack_mm for load in wall.load) and any(check.name != "dynamic" for check in evaluation.checks):
+    if any(tie.slack_mm for tie in wall.ties) and any(check.name != "dynamic" for check in evaluation.checks):
         return [sentence("reason", "slack_not_counted")]
     return []
 
@@ -312,7 +313,7 @@ def _of_ties_that_lower(evaluation: Evaluation, cancelled: Callable[[], bool]) -
     """zeta with the ties of a wall and without them, where a tie ends the displacement check early or lowers zeta: of
     that check the larger counts, histories take the ties as they are."""
     scene, said = evaluation.scene, []
-    if evaluation.kinematic is None or not any(load.is_tie for load in scene.wall.load):
+    if evaluation.kinematic is None or not scene.wall.ties:
         return []
     pair = zeta_with_and_without_ties(evaluation.kinematic, scene.demand)
     if pair is not None and (pair[1] > pair[0] or evaluation.kinematic.ends_at_break):

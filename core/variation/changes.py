@@ -21,10 +21,9 @@ def rescale_thickness(wall: Wall, thickness: float) -> Wall:
 
 
 def scale_loads(wall: Wall, factor: float) -> Wall:
-    """A wall whose loads but ties are so many times as large."""
+    """A wall whose loads are so many times as large."""
     loads = (
-        load if load.is_tie or load.kn_m is None else replace(load, kn_m=factor * load.kn_m, **WITHOUT_PARTS)
-        for load in wall.load
+        load if load.kn_m is None else replace(load, kn_m=factor * load.kn_m, **WITHOUT_PARTS) for load in wall.load
     )
     return replace(wall, load=tuple(loads))
 

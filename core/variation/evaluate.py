@@ -7,7 +7,6 @@ from enum import Enum
 from functools import cached_property
 from typing import NamedTuple
 
-from core.case.wall import ARCHES
 from core.codes.demand import MIN_SHARE_OF_DEMAND
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
@@ -278,7 +277,7 @@ def check_by_histories(
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DynamicCheck | None:
     """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
-    if not (motions := scene.motions) or scene.wall.mechanism == ARCHES:
+    if not (motions := scene.motions) or scene.wall.kinematics.arches:
         return None
     parts = motions, scene.signs, scene.demand, scene.method, precision.value, other, cancelled
     checks: list[DynamicCheck] = []

@@ -7,9 +7,10 @@ from functools import partial
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.held_top import mirror_inward
+from core.case.hold import Hold
 from core.case.load_rules import check_loads
 from core.case.loads import Load
-from core.case.wall import BENDS, Wall
+from core.case.wall import Wall
 from core.codes.assumption import LEFT_OUT
 from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
@@ -35,7 +36,22 @@ def _with_loads(change: Callable[[Wall], tuple[Load, ...]]) -> SceneChange:
 
 def _of_ties(**values) -> SceneChange:
     """Change that gives all ties of the wall these values."""
-    return _with_loads(lambda wall: tuple(replace(load, **values) if load.is_tie else load for load in wall.load))
+    return _change_ties(lambda tie: replace(tie, **values))
+
+
+def _drop_ties(goes: Callable[[Hold], bool]) -> SceneChange:
+    """Change that takes away the ties that go."""
+    return _change_ties(lambda tie: None if goes(tie) else tie)
+
+
+def _change_ties(change: Callable[[Hold], Hold | None]) -> SceneChange:
+    """Change of each tie of the wall; None of one that goes."""
+
+    def changed(scene: CheckInput) -> CheckInput:
+        holds = (change(hold) if hold in scene.wall.ties else hold for hold in scene.wall.hold)
+        return scene.replace_parts(wall=replace(scene.wall, hold=tuple(filter(None, holds))))
+
+    return changed
 
 
 def _without(goes: Callable[[Wall, Load], bool]) -> SceneChange:
@@ -64,7 +80,7 @@ def favourable_weights(scene: CheckInput) -> Iterator[FavourableInput]:
     """What the mass of vertical loads does, and where they stand, otherwise; the wall without what is carried low, is
     variable, or moves with it."""
     wall, t = scene.wall, scene.wall.thickness
-    weights = [load for load in wall.load if load.kind == "vertical"]
+    weights = [load for load in wall.load if load.rests]
     if t is None or not any(load.is_weight for load in wall.load):
         return
     yield from _of_weights_that_may_go(scene)
@@ -121,11 +137,11 @@ def _is_variable(load: Load) -> bool:
 
 def _is_carried(load: Load) -> bool:
     """Whether it is a mass that moves with the wall."""
-    return load.kind == "carried_mass"
+    return load.is_carried
 
 
 def _of_weights(wall: Wall, **values) -> tuple[Load, ...]:
-    return tuple(replace(load, **values) if load.kind == "vertical" else load for load in wall.load)
+    return tuple(replace(load, **values) if load.rests else load for load in wall.load)
 
 
 def _moved_weights(wall: Wall, by: float) -> tuple[Load, ...]:
@@ -160,33 +176,33 @@ def _may_be(scene: CheckInput, loads: tuple[Load, ...]) -> bool:
 def favourable_ties_and_forces(scene: CheckInput, clauses: bool) -> Iterator[FavourableInput]:
     """Inputs of the ties, and of forces that always pull inward, that raise zeta. clauses : no histories are made"""
     wall, reasons = scene.wall, scene.wall.justification
-    given = [load for load in wall.load if load.is_tie]
+    given = wall.ties
     if any(tie.stands_more for tie in (wall.in_si.ties if given else ())):
-        end = Alternative(_of_ties(elongation_m=None, elongation=None), NONE_WORD)
+        end = Alternative(_of_ties(elongation_m=None), NONE_WORD)
         yield single_alternative("elongation_m", "lift_elongation", reasons, GIVEN_WORD, end)
-    if any(_breaks(wall, load, scene) for load in given):  # no clause follows a bar that breaks
-        end = Alternative(_without(lambda there, load: _breaks(there, load, scene)), _no_ties())
+    if any(_breaks(tie, scene) for tie in given):  # no clause follows a bar that breaks
+        end = Alternative(lambda tied: _drop_ties(lambda tie: _breaks(tie, tied))(tied), _no_ties())
         yield single_alternative("elongation_m", "lift_brittle", reasons, GIVEN_WORD, end, histories=clauses)
-    if any(load.slack_mm for load in given):
+    if any(tie.slack_mm for tie in given):
         ends = (
             Alternative(_of_ties(slack_mm=None), NONE_WORD),
-            Alternative(_without(lambda _, load: bool(load.slack_mm)), _no_ties()),
+            Alternative(_drop_ties(lambda tie: bool(tie.slack_mm)), _no_ties()),
         )
         words = lambda zetas, check: sentence(  # noqa: E731
             "reason", "lift_slack", zeta_taut=Number(zetas[0]), zeta=Number(zetas[1]), check=check_phrase(check)
         )
         yield FavourableInput("slack_mm", reasons, GIVEN_WORD, ends, words)
-    if any(_anchorage_open(load) for load in given):
-        end = Alternative(_without(lambda _, load: _anchorage_open(load)), _no_ties())
+    if any(map(_anchorage_open, given)):
+        end = Alternative(_drop_ties(_anchorage_open), _no_ties())
         unsaid = sentence("accepted", "missing")
         yield single_alternative(
             "anchorage_kn", "lift_anchorage", reasons, unsaid, end, LEFT_OUT, anchorage_kn=Key("anchorage_kn")
         )
-    if any(load.prestress for load in given):
+    if any(tie.prestress for tie in given):
         yield single_alternative(
             "prestress", "lift_prestress", reasons, GIVEN_WORD, Alternative(_of_ties(prestress=None), NONE_WORD)
         )
-    if wall.mechanism == BENDS:
+    if wall.kinematics.bends_up:
         end = Alternative(_bent_inward, sentence("word", "inward"))
         yield single_alternative("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
     if any(map(_pulls_inward, wall.load)):
@@ -198,21 +214,21 @@ def _no_ties() -> Sentence:
     return sentence("word", "without_ties")
 
 
-def _anchorage_open(load: Load) -> bool:
+def _anchorage_open(tie: Hold) -> bool:
     """Whether nothing is said of the anchorage of a tie."""
-    return load.is_tie and (load.bar is None or load.bar.anchorage_kn is None)
+    return tie.bar is None or tie.bar.anchorage_kn is None
 
 
 def _pulls_inward(load: Load) -> bool:
     """Whether it always does: no tie."""
-    return load.kind == "thrust" and load.kn_m is not None and load.kn_m < 0.0
+    return load.is_thrust and load.kn_m is not None and load.kn_m < 0.0
 
 
-def _breaks(wall: Wall, load: Load, scene: CheckInput) -> bool:
+def _breaks(tie: Hold, scene: CheckInput) -> bool:
     """Whether a tie breaks before the rotation up to which a check of the clauses counts on it."""
-    if not load.is_tie:
-        return False
-    sums, block = sum_chain(wall.in_si, scene.mechanism == "two_sided"), wall.block()
+    wall = scene.wall
+    sums, block = sum_chain(wall.in_si, scene.kinematics.both_ways), wall.block()
     share = LIMIT_FRACTION.get(scene.demand.limit_state, COUNTED)
     far = max(sums.rotation(share * sums.d0), COUNTED * (block.slenderness + wall.in_si.restoring[0].lean))
-    return load.tie(wall.length_m).bar.breaks_at <= load.h_m * math.sin(far) * (1.0 + 1e-9)
+    bar = tie.tie(wall.length_m).bar
+    return bar.breaks_at <= bar.height * math.sin(far) * (1.0 + 1e-9)

@@ -10,7 +10,7 @@ import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.site import FULL_FACTOR
-from core.case.wall import ARCHES, Wall, WallJustification
+from core.case.wall import Wall, WallJustification
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN
 from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
 from core.codes.limits import MIN_STATIONS_FOR_MEAN, MIN_STATIONS_FOR_MINIMUM
@@ -38,6 +38,7 @@ from core.variation.favourable_input import (
 )
 from core.variation.favourable_loads import favourable_ties_and_forces, favourable_weights
 from core.variation.favourable_site import favourable_building, favourable_demand
+from core.wall.kinematics import kinematics
 from core.wall.restitution import MODELS
 from core.wall.solids import clipped
 
@@ -220,7 +221,7 @@ def _histories_left_out(evaluation: Evaluation) -> bool:
     """Whether histories could be made of the wall, and are not; of one that fails without them they are not asked
     for."""
     scene, demand = evaluation.scene, evaluation.scene.demand
-    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and scene.wall.mechanism != ARCHES
+    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and not scene.wall.kinematics.arches
     return can and scene.histories_off and not scene.ground and evaluation.satisfied
 
 
@@ -228,7 +229,7 @@ def _of_the_edge(scene: CheckInput) -> Iterator[FavourableInput]:
     """A hinge nearer to the edge than the weakest masonry of its type lets it be, or than MIN_SETBACK: FC 1.35 lets
     one leave the strength out (C8.7.1.2.1.3), and alpha_0 then counts on more than there is."""
     wall = scene.wall
-    if wall.mechanism == ARCHES:
+    if wall.kinematics.arches:
         yield from _of_the_hinges(scene)
         return
     weakest, least = least_strength(wall.masonry), _setback_at(wall, wall.masonry)
@@ -323,7 +324,7 @@ def _of_the_unit_weight(scene: CheckInput) -> Iterator[FavourableInput]:
         end = Alternative(wall_change(solid=solids, unit_weight_kn_m3=even), even)
         value = sentence("word", "of_solids")
         yield single_alternative("unit_weight_kn_m3", "lift_solid_weight", wall.justification, value, end, even=even)
-    if given is None or not (wall.load or wall.mechanism == ARCHES):
+    if given is None or not (wall.is_loaded or wall.kinematics.arches):
         return
     least, most = weights(wall.masonry)
     values = [end for end in (least, most) if abs(end - given) > 1e-9]
@@ -364,7 +365,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
         yield single_alternative("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
     top = require_value(wall.top)
     if (
-        mechanism == "one_sided"
+        kinematics(mechanism).one_way
         and MODELS[wall.restitution_model(mechanism)].one_sided
         and wall.height_m < MAX_RESTRAINT_SHARE * top
     ):

@@ -10,6 +10,7 @@ from core.boundary import Boundary, find_boundary
 from core.case.held_top import move_top_loads
 from core.case.wall import Wall
 from core.errors import InputError
+from core.known import require_value
 from core.setting.demand_input import rescale_ag
 from core.variation.changes import rescale_thickness, scale_loads
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
@@ -55,10 +56,8 @@ def _of_thickness(setting: WallContext, thickness: float) -> WallContext:
 def _of_ties(setting: WallContext, force: float) -> WallContext:
     wall = setting.case.wall[0]
     share = force / tie_force(wall)
-    loads = (
-        replace(load, kn_m=share * load.kn_m) if load.is_tie and load.kn_m is not None else load for load in wall.load
-    )
-    return replace_wall(setting, replace(wall, load=tuple(loads)))
+    stronger = {tie: replace(tie, out_kn_m=share * require_value(tie.out_kn_m)) for tie in wall.ties}
+    return replace_wall(setting, replace(wall, hold=tuple(stronger.get(hold, hold) for hold in wall.hold)))
 
 
 def _of_ag(setting: WallContext, ag_g: float) -> WallContext:
@@ -78,7 +77,7 @@ def _of_loads(setting: WallContext, factor: float) -> WallContext:
 
 def tie_force(wall: Wall) -> float:
     """Force of all ties of a wall, given by their forces at yield [kN/m]; 0 where a bar gives one, or there is none."""
-    ties = [load.kn_m for load in wall.load if load.is_tie]
+    ties = [tie.out_kn_m for tie in wall.ties]
     return 0.0 if None in ties else math.fsum(force for force in ties if force is not None)
 
 
@@ -110,7 +109,7 @@ def slider_keys(setting: WallContext) -> dict[str, float]:
     values = design_keys(setting)
     if wall.height_m is not None and not wall.solid:
         values["height_m"] = wall.height_m
-    if any(not load.is_tie for load in wall.load):
+    if wall.load:
         values["load_factor"] = 1.0
     return {key: values[key] for key in VALUE_SETTERS if key in values}
 

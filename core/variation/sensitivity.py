@@ -108,7 +108,7 @@ def _of_wall(setting: WallContext, ranges: Ranges) -> Iterator[tuple[str, float 
     if (given := wall.unit_weight_kn_m3) is not None:
         values = [factor * given for factor in _others(ranges.unit_weight_factor)]
         yield "unit_weight_factor", given, ends(values, lambda value: replace(wall, unit_weight_kn_m3=value))
-    if any(not load.is_tie for load in wall.load):
+    if wall.load:
         yield "load_factor", 1.0, ends(_others(ranges.load_factor), lambda factor: scale_loads(wall, factor))
     if wall.thickness is not None:
         values = [wall.setback + added for added in ranges.setback_m if added]

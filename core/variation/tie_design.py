@@ -1,9 +1,10 @@
 """The force a tie must hold, by every check, for all hinges of a wall together.
 
-The tie is a bar at `tie_height_m`: it yields, is slack when the wall comes back, and is gone beyond what it stands. The
-force named is the largest of the histories, of the displacement check and of the thrust at rest, and is not known
-where one of them is not; that of the linear check with q = 2 leaves most walls beyond the limit state and lets many
-overturn (resources/docs/ties.md): it stands beside it, but where neither of the others is made, so that it decides.
+The tie is a bar at the height of the hold that is to be designed: it yields, is slack when the wall comes back, and is
+gone beyond what it stands. The force named is the largest of the histories, of the displacement check and of the thrust
+at rest, and is not known where one of them is not; that of the linear check with q = 2 leaves most walls beyond the
+limit state and lets many overturn (resources/docs/ties.md): it stands beside it, but where neither of the others is
+made, so that it decides.
 """
 
 import math
@@ -15,20 +16,24 @@ import numpy as np
 
 from core.boundary import find_boundary, written_up
 from core.case.held_stretches import find_held_stretches
+from core.case.hold import TIE, Hold
 from core.case.load_rules import carries
-from core.case.loads import Load
 from core.case.spans_between_ties import cut_span, find_bending_spans
 from core.case.wall import Wall
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import ZETA_ROUNDING
 from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
+from core.known import require_value
 from core.setting.check_input import CheckInput, make_rocking_model
 from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Evaluation, Precision, evaluate
 from core.wall import ties
 from core.wall.masonry import load_to_force
 
-FORCE_NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", "thrust")
+AT_REST = "thrust"
+"""Name of the force that balances the thrusts of a wall at rest."""
+
+FORCE_NAMES = ("dynamic", "nonlinear", "linear_q_slv", "linear_q_code", "linear_q_1", AT_REST)
 """Names of the forces of a tie: those of the checks, with q = 1 in place of that of the code, and of the thrust at
 rest."""
 
@@ -126,24 +131,25 @@ def add_tie(wall: Wall, force: float, height: float) -> Wall:
     """The wall with one more tie of this force at yield [N/m], at this height above its hinge [m]."""
     if force <= 0.0:
         return wall
-    length = wall.tie_bar_length_m or ASSUMED_LENGTH
-    stands = wall.tie_elongation_m if wall.tie_bar_length_m else ASSUMED_LENGTH
-    tie = Load("tie", 1e-3 * force, height, bar_length_m=length, elongation_m=stands)
-    return replace(wall, load=(*wall.load, tie), unloaded_confirmed=False)
+    sought = wall.sought
+    length = sought.bar_length_m if sought else None
+    stands = sought.elongation_m if sought and length else ASSUMED_LENGTH
+    tie = Hold(TIE, h_m=height, out_kn_m=1e-3 * force, bar_length_m=length or ASSUMED_LENGTH, elongation_m=stands)
+    return replace(wall, hold=(*wall.hold, tie))
 
 
 def design_tie(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], bool] = lambda: False) -> TieDesign:
     """The tie for all hinges of a wall, the base first. asked : the wall of the case. Raises Cancelled."""
-    height, top = asked.tie_height_m, asked.height_m
-    assert height is not None and top is not None
-    below = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is not None]
-    above = [hinge for hinge in hinges if hinge.scene.wall.tie_height_m is None]
+    sought, top = require_value(asked.sought), require_value(asked.height_m)
+    height, length, spacing = require_value(sought.h_m), sought.bar_length_m, sought.spacing_m
+    below = [hinge for hinge in hinges if hinge.scene.wall.sought is not None]
+    above = [hinge for hinge in hinges if hinge.scene.wall.sought is None]
     largest = min(_largest(hinge, height) for hinge in below)
     holds, bending = _bending(below[0], MAX_FORCE, height, cancelled)
     strongest = MAX_FORCE if holds else largest
     forces = _forces(below, above, height, cancelled)
     missing = "histories" if any(hinge.dynamic is None for hinge in hinges) else ""
-    missing = missing or ("bar" if asked.tie_bar_length_m is None else "")
+    missing = missing or ("bar" if length is None else "")
     forces["dynamic"] = None
     if not missing:
         forces["dynamic"] = _of_histories(below, above, height, strongest, forces, cancelled)
@@ -161,10 +167,10 @@ def design_tie(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
     stands, more = None, False
     if force is not None:
         zeta, elongation = _with(below, height, force, missing, cancelled)
-        if asked.tie_spacing_m is not None:
-            bars = ties.bars_for(force, asked.tie_spacing_m)
-    if asked.tie_bar_length_m is not None:
-        tie = add_tie(below[0].scene.wall, 1.0, height).load[-1].tie(asked.length_m)
+        if spacing is not None:
+            bars = ties.bars_for(force, spacing)
+    if length is not None:
+        tie = add_tie(below[0].scene.wall, 1.0, height).hold[-1].tie(asked.length_m)
         stands, more = tie.bar.stands, tie.stands_more
     curve = tuple(
         (float(h), _at_height(hinges, float(h))) for h in np.linspace(MIN_TIE_HEIGHT * top, top, STRENGTH_CURVE)
@@ -183,7 +189,7 @@ def design_tie(hinges: Sequence[Hinge], asked: Wall, cancelled: Callable[[], boo
         zeta,
         len(below),
         *bars,
-        asked.tie_spacing_m,
+        spacing,
         curve,
         more,
         bending,
@@ -282,7 +288,7 @@ def _force(name: str, below: Sequence[Hinge], above: Sequence[Hinge], height: fl
     """Force by a check of the clauses [N/m], or by the thrust at rest; None where none does it."""
     if name == "linear_q_slv":
         return None  # q SLV counts from the uplift of the wall without its ties: no force raises it but by histories
-    if name == "thrust":
+    if name == AT_REST:
         return max(_thrust(hinge, height) for hinge in below)
     target = below[0].scene.demand.zeta_target
     if any(not _reaches(_zeta(name, hinge.scene, hinge.scene.wall), target) for hinge in above):
@@ -299,7 +305,7 @@ def _reaches(zeta: float | None, target: float) -> bool:
 def _thrust(hinge: Hinge, height: float) -> float:
     """Force at rest that balances the thrusts on the part above a hinge [N/m]."""
     wall = hinge.scene.wall
-    outward = [load_to_force(load, wall.in_si, 1.0) for load in wall.in_si.loads if load.kind == "thrust"]
+    outward = [load_to_force(load, wall.in_si, 1.0) for load in wall.in_si.loads if load.is_thrust]
     return max(0.0, -sum(force.horizontal * force.height for force in outward) / hinge.raised(height))
 
 
@@ -375,7 +381,11 @@ def _with(
 
 def _at_height(hinges: Sequence[Hinge], height: float) -> float | None:
     """Force of the displacement check of a tie at another height [N/m]; None where none does it."""
-    moved = [replace(hinge.scene.wall, tie_height_m=hinge.raised(height)) for hinge in hinges]
-    placed = [replace(hinge, scene=replace(hinge.scene, wall=wall)) for hinge, wall in zip(hinges, moved, strict=True)]
-    below = [hinge for hinge in placed if hinge.raised(height) > 0.0]
-    return _force("nonlinear", below, [hinge for hinge in placed if hinge not in below], height)
+    walls, sought = [hinge.scene.wall.without_sought() for hinge in hinges], require_value(hinges[0].scene.wall.sought)
+    placed = [replace(sought, h_m=hinge.raised(height)) for hinge in hinges]
+    moved = [replace(wall, hold=(*wall.hold, tie)) for wall, tie in zip(walls, placed, strict=True)]
+    all_hinges = [
+        replace(hinge, scene=replace(hinge.scene, wall=wall)) for hinge, wall in zip(hinges, moved, strict=True)
+    ]
+    below = [hinge for hinge in all_hinges if hinge.raised(height) > 0.0]
+    return _force("nonlinear", below, [hinge for hinge in all_hinges if hinge not in below], height)

@@ -100,7 +100,7 @@ def make_wall_context(
 ) -> WallContext:
     """Setting of the k-th wall of a case with a demand; no tie is sought."""
     case = isolate_wall(case, k)
-    wall = replace(case.wall[0], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None, tie_spacing_m=None)
+    wall = case.wall[0].without_sought()
     # whether an FC below 1.35 is founded was judged; a strength that is moved is no tested one
     demand = replace(case.demand, confidence_factor=FULL_FACTOR) if case.demand else None
     analysis = replace(case.analysis, accuracy=False)

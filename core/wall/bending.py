@@ -198,7 +198,7 @@ def spread_over(height: float) -> float:
 def pressing(loads: tuple[Load, ...]) -> float:
     """Thrusts on a wall between transverse walls, whatever their sign, for it bends outward and inward alike, and none
     helps where another acts [N/m]."""
-    return sum(abs(load.force) for load in loads if load.kind == "thrust")
+    return sum(abs(load.force) for load in loads if load.is_thrust)
 
 
 def strip_of(wall: Masonry) -> Strip:

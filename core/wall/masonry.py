@@ -14,14 +14,13 @@ from core.wall.arch import Arch
 from core.wall.bars import Bar
 from core.wall.block import Block
 from core.wall.body import Body
+from core.wall.kinematics import Kinematics, kinematics
+from core.wall.load_kinds import OfLoadKind
 from core.wall.loads import UNLOADED, Force, PointMass, RestoringMoment, composite, restoring_moment
 from core.wall.moment_rotation import RIGID, MomentLaw
 from core.wall.restitution import Contact
 from core.wall.solids import MIN_BASE, Part, Section, section_area, sections_of, sum_of, top_of
 from core.wall.ties import Tie
-
-BENDS, ARCHES = "vertical_bending", "horizontal_bending"
-"""Mechanism of a wall held at its top: kinematic checks, no time histories."""
 
 MAX_COLLAPSE = math.radians(60.0)
 """Largest collapse rotation: beyond it a wall is no wall that overturns."""
@@ -42,7 +41,7 @@ of its end."""
 
 
 @dataclass(frozen=True)
-class Load:
+class Load(OfLoadKind):
     """A force of constant size and direction on a metre of wall, a mass that moves with it, or a tie.
 
     kind : vertical, thrust, tie or carried_mass
@@ -57,10 +56,6 @@ class Load:
     height: float
     pushes: bool = False
     tie: Tie | None = None
-
-    @property
-    def is_weight(self) -> bool:
-        return self.kind in ("vertical", "carried_mass")
 
     @property
     def slack(self) -> bool:
@@ -145,12 +140,17 @@ class Masonry:
     @property
     def bends(self) -> bool:
         """Whether it is held at its top, or at both ends, and opens a hinge between."""
-        return self.mechanism in (BENDS, ARCHES)
+        return self.kinematics.bends
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """What its mechanism does."""
+        return kinematics(self.mechanism)
 
     @property
     def is_two_sided(self) -> bool:
         """Whether it rocks to both sides, alone or too."""
-        return self.mechanism in ("two_sided", "both")
+        return self.kinematics.rocks_both_ways
 
     @property
     def above_ground(self) -> bool:
@@ -160,7 +160,7 @@ class Masonry:
     def is_free(self, mechanism: str) -> bool:
         """Whether the wall is free to vibrate before it moves, not restrained by continuity with transverse walls
         (Circolare 7/2019 C8.7.1.2.1.3, .5): as asked, else a two-sided one is, a one-sided one not."""
-        return mechanism == "two_sided" if self.free is None else self.free
+        return kinematics(mechanism).both_ways if self.free is None else self.free
 
     @cached_property
     def body(self) -> Body | None:
@@ -280,7 +280,7 @@ class Masonry:
 
     def uplift_multiplier(self, mechanism: str) -> float:
         """a_RM / g = a tan(alpha) + c [-] (Eq. 2), of a two-sided wall the smaller one of its sides."""
-        sides = self.sides if mechanism == "two_sided" else self.sides[:1]
+        sides = self.sides if kinematics(mechanism).both_ways else self.sides[:1]
         return min(side.sine * math.tan(block.slenderness) + side.cosine for block, side in sides)
 
     def sections(self, count: int) -> tuple[Section, ...]:
@@ -369,7 +369,7 @@ def load_to_force(load: Load, wall: Masonry, side: float, at_yield: bool = False
     inward. at_yield : of a tie its force at yield, slack or not"""
     assert wall.thickness is not None
     inward, push = load.depth if side > 0.0 else wall.thickness - load.depth, 0.0
-    if load.kind == "thrust":
+    if load.is_thrust:
         push = -load.force * side
     elif load.tie is not None and side > 0.0 and at_yield:
         push = load.force

@@ -10,6 +10,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 
 from app.look.in_place import InPlaceEditor
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.solids import Opening
 
@@ -17,13 +18,10 @@ from core.case.solids import Opening
 @pytest.fixture
 def drawing(opened, application):
     """Of a wall with a floor, a tie and a roof whose weight is still to be given."""
-    loads = (
-        Load("vertical", 12.5, 3.0, 0.2, mass="none"),
-        Load("tie", 30.0, 4.5, bar_length_m=5.0),
-        Load("vertical", None, 5.0, 0.25, mass="none"),
-    )
+    loads = Load("vertical", 12.5, 3.0, 0.2, mass="none"), Load("vertical", None, 5.0, 0.25, mass="none")
+    tie = Hold("tie", h_m=4.5, out_kn_m=30.0, bar_length_m=5.0)
     session = opened.session
-    wall = replace(session.case.wall[0], mechanism="one_sided", load=loads)
+    wall = replace(session.case.wall[0], mechanism="one_sided", load=loads, hold=(tie,))
     session.edit(replace(session.case, wall=(wall,)))
     opened.navigator.show_input("wall", 0)
     application.processEvents()
@@ -40,7 +38,11 @@ def twice(drawing, kind: str, k: int = 0) -> InPlaceEditor:
 
 
 def test_that_loads_have_their_size_and_what_is_to_be_given_is_dashed(drawing):
-    assert [(arrow.load, arrow.words) for arrow in drawing.arrows] == [(0, "12.5 kN/m"), (1, "30 kN/m"), (2, "")]
+    assert [(arrow.load, arrow.words) for arrow in drawing.arrows] == [(0, "12.5 kN/m"), (1, "")]
+    assert [(mark.hold, mark.low, mark.words, mark.bar) for mark in drawing.holds] == [
+        (0, 4.5, "30 kN/m", True),
+        (None, 0.0, "", False),
+    ]
 
 
 @pytest.mark.shows("window.drawing")
@@ -51,7 +53,7 @@ def test_that_loads_have_their_size_and_what_is_to_be_given_is_dashed(drawing):
         ("thickness", 0, "55", lambda wall: wall.thickness_m == 0.55),
         ("thickness", 0, "0.6 m", lambda wall: wall.thickness_m == 0.6),
         ("load", 0, "2*7", lambda wall: wall.load[0].kn_m == 14.0),
-        ("load", 2, "8", lambda wall: wall.load[2].kn_m == 8.0),
+        ("load", 1, "8", lambda wall: wall.load[1].kn_m == 8.0),
     ],
 )
 def test_that_a_value_is_changed_where_it_is_drawn(opened, drawing, application, kind, k, text, seen):
@@ -96,7 +98,7 @@ def test_that_esc_gives_back_what_was_there_and_another_wall_or_an_undo_closes_t
 
 @pytest.mark.parametrize("shape", ["slenderness_deg", "height_over_thickness", "general"])
 def test_that_no_other_quantity_is_changed_in_the_place_of_one(opened, drawing, application, shape):
-    opened.session.edit_wall(0, load=())
+    opened.session.edit_wall(0, load=(), hold=())
     opened.walls._shape_chosen(opened.walls.shape.findData(shape))
     application.processEvents()
     drawing.grab()
@@ -106,7 +108,8 @@ def test_that_no_other_quantity_is_changed_in_the_place_of_one(opened, drawing, 
 
 
 def test_that_the_hinges_of_a_body_stand_in_its_elevation(opened, drawing, application):
-    wall = replace(opened.session.case.wall[0], length_m=4.0, openings=(Opening(1.0, 1.0, 1.0, 1.2),), load=())
+    bare = replace(opened.session.case.wall[0], load=(), hold=())
+    wall = replace(bare, length_m=4.0, openings=(Opening(1.0, 1.0, 1.0, 1.2),))
     drawing.resize(700, 500)
     drawing.show_wall(wall, [(0.0, 0.8), (3.0, 0.5)])
     assert drawing.has_elevation

@@ -1,4 +1,4 @@
-"""Loads, hinges, variants and hazard in the forms, and all walls on one tab."""
+"""Loads, ties, hinges, variants and hazard in the forms, and all walls on one tab."""
 
 import os
 
@@ -10,7 +10,8 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QMessageBox
 
-from core.case.loads import Bars, Load
+from core.case.hold import Bars
+from core.case.loads import Load
 from core.case.variant_names import AS_IS, DESIGNED
 from tests.app.driving import run, type_into
 
@@ -46,20 +47,31 @@ def test_that_a_load_entered_by_hand_is_in_the_case_the_drawing_and_the_threshol
 
 def test_that_what_is_missing_of_a_load_is_said_and_blocks_the_run(opened):
     form = opened.walls.loads
+    type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
+    opened.session.edit_wall(0, mechanism="one_sided")
+    form.add("thrust")
+    assert "load 1" in opened.missing.text() and "Size" in opened.missing.text()
+    assert not opened.run_button.isEnabled()
+    type_into(field(form, "kn_m"), "1")
+    assert opened.run_button.isEnabled() and not field(form, "mass").isVisibleTo(form)
+
+
+def test_that_what_is_missing_of_a_tie_is_said_and_blocks_the_run(opened):
+    form = opened.walls.holds
     opened.session.edit_wall(0, mechanism="one_sided")
     type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
     form.add("tie")
-    assert "load" in opened.missing.text() or "kN/m" in opened.missing.text() or "Size" in opened.missing.text()
+    assert "hold 1" in opened.missing.text() and "Length of the bar" in opened.missing.text()
     assert not opened.run_button.isEnabled()
-    type_into(field(form, "kn_m"), "2")
-    assert not opened.run_button.isEnabled() and "bar" in opened.missing.text()
     type_into(field(form, "bar_length_m"), "8")
+    assert not opened.run_button.isEnabled() and "force at yield" in opened.missing.text()
+    type_into(field(form, "out_kn_m"), "2")
     assert opened.run_button.isEnabled()
-    assert not field(form, "mass").isVisibleTo(form) and not field(form, "d_m").isVisibleTo(form)
+    assert not any(field(form, key).isVisibleTo(form) for key in ("from_m", "to_m", "spacing_m", "tie_kn_m"))
 
 
 def test_that_the_bars_of_a_tie_are_given_in_place_of_its_force(opened):
-    form = opened.walls.loads
+    form = opened.walls.holds
     opened.session.edit_wall(0, mechanism="one_sided", length_m=10.0)
     type_into(opened.walls.fields["unit_weight_kn_m3"], "18")
     form.add("tie")
@@ -69,31 +81,31 @@ def test_that_the_bars_of_a_tie_are_given_in_place_of_its_force(opened):
     type_into(number, "4")
     type_into(diameter, "6")
     type_into(anchorage, "60")
-    load = opened.session.case.wall[0].load[0]
-    assert (load.kn_m, load.bar.number, load.bar.diameter_mm, load.bar.anchorage_kn) == (None, 4, 6.0, 60.0)
-    assert opened.run_button.isEnabled() and not field(form, "kn_m").isVisibleTo(form)
+    hold = opened.session.case.wall[0].hold[0]
+    assert (hold.out_kn_m, hold.bar.number, hold.bar.diameter_mm, hold.bar.anchorage_kn) == (None, 4, 6.0, 60.0)
+    assert opened.run_button.isEnabled() and not field(form, "out_kn_m").isVisibleTo(form)
     form.bars.setChecked(False)
-    assert opened.session.case.wall[0].load[0].bar is None
+    assert opened.session.case.wall[0].hold[0].bar is None
     form.bars.setChecked(True)
-    assert opened.session.case.wall[0].load[0].bar.number == 4
+    assert opened.session.case.wall[0].hold[0].bar.number == 4
     form.delete()
-    assert opened.session.case.wall[0].load == () and not form.list.isVisibleTo(form)
+    assert opened.session.case.wall[0].hold == () and not form.list.isVisibleTo(form)
 
 
-def test_that_nothing_of_one_load_stays_at_the_next(opened):
+def test_that_nothing_of_one_tie_stays_at_the_next(opened):
     """Neither a refused text, nor bars that were switched off."""
-    form = opened.walls.loads
+    form = opened.walls.holds
     for _ in range(2):
         form.add("tie")
     form.bars.setChecked(True)
     type_into(form.bars.fields[0], "4")
     form.bars.setChecked(False)
-    type_into(field(form, "kn_m"), "5,5,5")
-    assert field(form, "kn_m").wrong
+    type_into(field(form, "out_kn_m"), "5,5,5")
+    assert field(form, "out_kn_m").wrong
     form.list.setCurrentRow(0)
-    assert not field(form, "kn_m").wrong and field(form, "kn_m").editor.text() == ""
+    assert not field(form, "out_kn_m").wrong and field(form, "out_kn_m").editor.text() == ""
     form.bars.setChecked(True)
-    assert opened.session.case.wall[0].load[0].bar == Bars("", "")
+    assert opened.session.case.wall[0].hold[0].bar == Bars("", "")
 
 
 def test_that_an_unstable_wall_is_said_in_one_sentence(opened):
@@ -162,7 +174,7 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
     from core.rocking.bar_state import BROKEN
     from core.study.run import run
 
-    tie = {"kind": "tie", "kn_m": 2.0, "h_m": 6.0, "bar_length_m": 8.0, "elongation_m": 0.3}
+    tie = {"kind": "tie", "out_kn_m": 2.0, "h_m": 6.0, "bar_length_m": 8.0, "elongation_m": 0.3}
     wall = {
         "name": "w",
         "mechanism": "one_sided",
@@ -178,7 +190,7 @@ def test_that_the_histories_show_what_a_tie_does(opened, application, tmp_path):
         "demand": {"ag_g": 0.3, "spectrum": spectrum},
         "analysis": {"q_step": 0.05},
     }
-    result = run(parse_case({**table, "wall": [wall | {"load": [tie]}, wall | {"name": "bare"}]}), base_dir=tmp_path)
+    result = run(parse_case({**table, "wall": [wall | {"hold": [tie]}, wall | {"name": "bare"}]}), base_dir=tmp_path)
     tab = HistoriesTab()
     tab.setParent(opened)
     tab.show_wall(result, result.walls[0])

@@ -11,7 +11,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from app.input.reasons_form import favourable_demand_keys, favourable_wall_keys
-from core.case.loads import Bars, Load, ReturnWalls
+from core.case.hold import Bars, Hold
+from core.case.loads import Load, ReturnWalls
 from core.case.rules import parse_case, parse_draft
 from core.case.site import Building, BuildingMode, DemandJustification, HazardRow, Spectrum
 from core.case.solids import Corner, Leaf, Wedges
@@ -61,12 +62,11 @@ def test_that_reasons_are_asked_where_a_value_raises_zeta_and_nowhere_else(opene
         return_wedges=Wedges(2, 0.4, 2.0),
         corner=Corner(2.0, 2.0, 0.4),
         leaf=Leaf(0.2),
-        load=(
-            Load("tie", 1.0, 2.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
-            Load("tie", None, 2.0, bar_length_m=8.0, bar=Bars(2, 16.0), slack_mm=2.0),
-            Load("thrust", -0.1, 2.0),
-            Load("vertical", 5.0, 2.0, d_m=0.2, mass="none"),
+        hold=(
+            Hold("tie", h_m=2.0, out_kn_m=1.0, bar_length_m=8.0, elongation_m=0.1, prestress=0.2),
+            Hold("tie", h_m=2.0, bar_length_m=8.0, bar=Bars(2, 16.0), slack_mm=2.0),
         ),
+        load=(Load("thrust", -0.1, 2.0), Load("vertical", 5.0, 2.0, d_m=0.2, mass="none")),
     )
     assert rows(walls.reasons) == {entry.name for entry in fields(WallJustification)} - {"base_z_m", "contact"}
     session.edit(replace(session.case, building=Building(9.0, 3)))

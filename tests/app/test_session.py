@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from app.work import recovery
 from app.work.session import Session
+from core.case.hold import Hold
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
 from core.case.rules import parse_case, parse_draft
@@ -123,7 +124,8 @@ def test_that_a_case_in_the_making_can_be_saved_and_opened_again(session, tmp_pa
 
 DRAFTS = {
     "a load without size": {"load": (Load("vertical", "", 5.0),)},
-    "a load of a wall without height": {"height_m": None, "load": (Load("tie", "", ""),)},
+    "a load of a wall without height": {"height_m": None, "load": (Load("thrust", "", ""),)},
+    "a tie of a wall without height": {"height_m": None, "hold": (Hold("tie", h_m="", out_kn_m=""),)},
     "one load of two without size": {"load": (Load("thrust", 2.0, 3.0), Load("carried_mass", "", 4.0, 0.2))},
     "return walls ticked": {"return_walls": ReturnWalls("", "", "", "")},
     "some of the return walls": {"return_walls": ReturnWalls(2, "", 0.2, "")},

@@ -227,10 +227,10 @@ def test_that_a_variant_by_one_click_says_beside_it_what_differs(opened):
     assert {"as it is", "as designed"} <= set(rows) and opened.walls.wall.variant == "progetto"
     assert opened.walls.differs.text() == ""
     opened.session.edit_wall(1, thickness_m=0.625, mechanism="one_sided", hold=(Hold("contact"),))
-    opened.walls.loads.add("tie")
+    opened.walls.holds.add("tie")
     said = [row.text for row in opened.tree.rows if row.kind == "wall"]
     assert said[0] == "as it is" and said[1].startswith("as designed: ")
-    for words in ("thickness 50 → 62.5 cm", "two-sided → one-sided", "loads + tie"):
+    for words in ("thickness 50 → 62.5 cm", "two-sided → one-sided", "+ tie"):
         assert words in said[1] and words in opened.walls.differs.text()
     opened.walls.select(0)
     assert opened.walls.differs.text() == ""

@@ -14,7 +14,8 @@ from app.input.reasons_form import ReasonField
 from app.look import language
 from app.shell import client_view, finder
 from app.views.runs import time_before_motion
-from core.case.loads import Bars, Load
+from core.case.hold import Bars, Hold
+from core.case.loads import Load
 from core.case.schema import Generate
 from core.case.site import Spectrum
 from core.case.variant_names import DESIGNED
@@ -90,19 +91,19 @@ def test_that_a_restraint_that_is_asked_for_is_named_as_its_field_and_found(open
 
 @pytest.mark.parametrize("bar", [None, Bars(2, 20.0)])
 def test_that_a_tie_that_is_too_strong_is_marked_and_led_to(opened, bar):
-    loads = (Load("vertical", 5.0, 5.0, 0.25, "none"), Load("tie", None if bar else 400.0, 2.5, bar_length_m=5.0))
-    loads = (loads[0], replace(loads[1], bar=bar and replace(bar, number=60)))
-    opened.session.edit_wall(0, load=loads, unit_weight_kn_m3=18.0, length_m=2.0)
+    load = Load("vertical", 5.0, 5.0, 0.25, "none")
+    tie = Hold("tie", h_m=2.5, out_kn_m=None if bar else 400.0, bar_length_m=5.0)
+    holds = Hold("contact"), replace(tie, bar=bar and replace(bar, number=60))
+    opened.session.edit_wall(0, load=(load,), hold=holds, unit_weight_kn_m3=18.0, length_m=2.0)
     opened.navigator.show_input("wall", 0)
     (problem,) = opened.missing.problems
     assert "lower the force" in problem.words and "missing" not in opened.missing.heading.text()
     opened.activateWindow()
     problem.lead()
-    loads_form = opened.walls.loads
-    field = next(
-        one for one in (*loads_form.fields, *loads_form.bars.fields) if one.key == ("diameter_mm" if bar else "kn_m")
-    )
-    assert loads_form.list.currentRow() == 1 and opened.focusWidget() is field.editor and field.rule
+    form = opened.walls.holds
+    key = "diameter_mm" if bar else "out_kn_m"
+    field = next(field for field in (*form.fields, *form.bars.fields) if field.key == key)
+    assert form.list.currentRow() == 1 and opened.focusWidget() is field.editor and field.rule
 
 
 def test_that_of_several_fields_the_empty_one_is_led_to_and_its_section_unfolds(opened):
@@ -116,14 +117,14 @@ def test_that_of_several_fields_the_empty_one_is_led_to_and_its_section_unfolds(
 
 
 def test_that_the_answer_leads_to_the_bars_it_asks_for(opened, application):
-    tie = Load("tie", 4.0, 4.5, bar_length_m=5.0, elongation=0.05)
-    opened.session.edit_wall(0, load=(tie,), unit_weight_kn_m3=18.0, mechanism="one_sided")
+    tie = Hold("tie", h_m=4.5, out_kn_m=4.0, bar_length_m=5.0, elongation_m=0.25)
+    opened.session.edit_wall(0, hold=(tie,), unit_weight_kn_m3=18.0, mechanism="one_sided")
     run(application, opened)
     content = opened.pages["check"].content
     assert "key:anchorage_kn" in content.important.text() + content.others.text()
     opened.activateWindow()
     opened.navigator.ask("key:anchorage_kn")
-    assert opened.focusWidget() is opened.walls.loads.bars and opened.walls.loads.bars.isVisible()
+    assert opened.focusWidget() is opened.walls.holds.bars and opened.walls.holds.bars.isVisible()
     opened.navigator.ask("reason:elongation_m")
     assert isinstance(opened.focusWidget().parentWidget(), ReasonField)
 
@@ -253,11 +254,11 @@ def test_that_a_variant_is_named_in_the_language_of_the_window(opened, applicati
         assert tongue == "it" or not any(DESIGNED in one for one in shown)
 
 
-def test_that_to_strengthen_leads_to_the_loads_of_the_variant(opened):
+def test_that_to_strengthen_leads_to_the_holds_of_the_variant(opened):
     opened.activateWindow()
     opened.navigator.ask("variant")
-    assert opened.walls.wall.variant == DESIGNED and opened.walls.loads.isVisible()
-    assert opened.focusWidget() is opened.walls.loads.add_button
+    assert opened.walls.wall.variant == DESIGNED and opened.walls.holds.isVisible()
+    assert opened.focusWidget() is opened.walls.holds.add_button
 
 
 def test_that_an_unknown_municipality_names_none_near_where_there_is_none():

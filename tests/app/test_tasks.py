@@ -15,7 +15,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QToolButton
 from app.input.reasons_form import ReasonField
 from app.shell import client_view, files, finder
 from app.shell.pointing import point_at
-from core.case.loads import Bars, Load
+from core.case.hold import Bars, Hold
+from core.case.loads import Load
 from core.case.site import Building, Demand, Spectrum
 from core.case.variant_names import AS_IS, DESIGNED
 from tests.app.driving import run, settle
@@ -84,12 +85,12 @@ def test_that_what_was_switched_off_in_one_case_does_not_come_back_in_another(op
 def test_that_bars_switched_off_at_one_wall_do_not_come_back_at_another(opened):
     opened.walls.add()
     for k in (0, 1):
-        opened.session.edit_wall(k, load=(Load("tie", None, 3.0, bar=Bars(2, 20.0) if k == 0 else None),))
+        opened.session.edit_wall(k, hold=(Hold("tie", h_m=3.0, bar=Bars(2, 20.0) if k == 0 else None),))
     opened.navigator.show_input("wall", 0)
-    opened.walls.loads.bars.setChecked(False)
+    opened.walls.holds.bars.setChecked(False)
     opened.navigator.show_input("wall", 1)
-    opened.walls.loads.bars.setChecked(True)
-    assert opened.session.case.wall[1].load[0].bar == Bars("", "")
+    opened.walls.holds.bars.setChecked(True)
+    assert opened.session.case.wall[1].hold[0].bar == Bars("", "")
 
 
 def test_that_another_case_begins_at_its_first_wall(opened):
@@ -165,14 +166,14 @@ def test_that_a_missing_sentence_leads_to_the_variant_it_is_about(opened):
 
 
 def test_that_a_missing_sentence_of_a_load_leads_to_its_field(opened):
-    loads = (Load("vertical", 5.0, 3.0, 0.25, "none"), Load("tie", 4.0, 4.0))
-    opened.session.edit_wall(0, load=loads, unit_weight_kn_m3=18.0)
+    load, holds = Load("vertical", 5.0, 3.0, 0.25, "none"), (Hold("contact"), Hold("tie", h_m=4.0, out_kn_m=4.0))
+    opened.session.edit_wall(0, load=(load,), hold=holds, unit_weight_kn_m3=18.0)
     opened.navigator.show_stage("answer")
     (problem,) = opened.missing.problems
     problem.lead()
-    field = next(field for field in opened.walls.loads.fields if field.key == "bar_length_m")
-    assert opened.walls.loads.list.currentRow() == 1 and field.isVisibleTo(opened) and field.rule
-    opened.session.edit_wall(0, load=())
+    field = next(field for field in opened.walls.holds.fields if field.key == "bar_length_m")
+    assert opened.walls.holds.list.currentRow() == 1 and field.isVisibleTo(opened) and field.rule
+    opened.session.edit_wall(0, load=(), hold=())
     opened.session.edit(replace(opened.session.case, building=Building(9.0, "")))
     opened.navigator.show_input("wall", 0)
     (problem,) = opened.missing.problems
@@ -183,12 +184,12 @@ def test_that_a_missing_sentence_of_a_load_leads_to_its_field(opened):
 
 def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(opened, application):
     found = finder.Finder(opened)
-    field = next(field for field in opened.walls.loads.fields if field.key == "bar_length_m")
+    field = next(field for field in opened.walls.holds.fields if field.key == "bar_length_m")
     opened.activateWindow()
     found.line.setText(field.caption.text())
     found._go()
     application.processEvents()
-    assert not field.isVisibleTo(opened) and opened.focusWidget() is opened.walls.loads.add_button
+    assert not field.isVisibleTo(opened) and opened.focusWidget() is opened.walls.holds.add_button
     before = opened.session.case
     for one in (one for one in opened.stages.fields if not isinstance(one, ReasonField)):
         point_at(opened.navigator, one)
@@ -473,7 +474,7 @@ def test_that_sentences_of_the_window_are_in_its_words(opened, tongue):
     opened.session.edit(replace(opened.session.case, demand=Demand(0.2, spectrum=Spectrum("NTC2018", "B"))))
     said = [problem.words for problem in opened.missing.problems]
     opened.walls.add()
-    opened.session.edit_wall(0, load=(Load("tie", None, 3.0, bar=Bars(2, "")),), unit_weight_kn_m3=18.0)
+    opened.session.edit_wall(0, hold=(Hold("tie", h_m=3.0, bar=Bars(2, "")),), unit_weight_kn_m3=18.0)
     said += [problem.words for problem in opened.missing.problems]
     opened.session.edit_wall(0, mechanism="one_sided", base_z_m=0.0)
     said += [problem.words for problem in opened.missing.problems]

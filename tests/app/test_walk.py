@@ -15,6 +15,7 @@ from app.input.fields import ChoiceField, FlagField
 from app.look.section import FoldingSection, unfold_to
 from app.shell.header import STAGES
 from app.work.session import Session
+from core.case.hold import HOLDS
 from core.case.loads import Load
 from core.case.values import field_of
 from core.case.writer import table_of
@@ -48,9 +49,13 @@ class Walk:
             self.add_a_load: 6,
             self.choose_a_load: 3,
             self.delete_a_load: 1,
+            self.add_a_hold: 6,
+            self.choose_a_hold: 3,
+            self.delete_a_hold: 1,
             self.tick_bars: 3,
             self.tick_return_walls: 3,
             self.drag_a_load: 2,
+            self.drag_a_hold: 2,
             self.change_the_shape: 14,
             self.tick_the_demand: 2,
             self.choose_a_spectrum: 4,
@@ -126,13 +131,27 @@ class Walk:
         self.window.walls.loads.add(kind)
         return kind
 
+    def _choose_entry(self, entries):
+        if entries.count():
+            entries.setCurrentRow(self.chance.randrange(entries.count()))
+
     def choose_a_load(self):
-        loads = self.window.walls.loads.list
-        if loads.count():
-            loads.setCurrentRow(self.chance.randrange(loads.count()))
+        self._choose_entry(self.window.walls.loads.list)
 
     def delete_a_load(self):
         self.window.walls.loads.delete_button.click()
+
+    def add_a_hold(self):
+        """A tie as often as any other."""
+        kind = self.one_of(("tie", self.one_of(HOLDS)))
+        self.window.walls.holds.add(kind)
+        return kind
+
+    def choose_a_hold(self):
+        self._choose_entry(self.window.walls.holds.list)
+
+    def delete_a_hold(self):
+        self.window.walls.holds.delete_button.click()
 
     def _tick(self, box):
         if not box.isHidden():
@@ -141,7 +160,7 @@ class Walk:
         return None
 
     def tick_bars(self):
-        return self._tick(self.window.walls.loads.bars)
+        return self._tick(self.window.walls.holds.bars)
 
     def tick_return_walls(self):
         return self._tick(self.window.walls.across) if self.window.walls.wall else None
@@ -151,6 +170,12 @@ class Walk:
         if wall is not None and wall.load and wall.height_m:
             height = wall.height_m * self.chance.random()
             self.window.walls.drawing.moved.emit("load", self.chance.randrange(len(wall.load)), height)
+
+    def drag_a_hold(self):
+        wall = self.window.walls.wall
+        if wall is not None and wall.hold and wall.height_m:
+            height = wall.height_m * self.chance.random()
+            self.window.walls.drawing.moved.emit("hold", self.chance.randrange(len(wall.hold)), height)
 
     def change_the_shape(self):
         """An opening, a step or a solid more, another one, one less; corners; wedges, with their length."""

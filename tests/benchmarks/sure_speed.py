@@ -60,9 +60,8 @@ def main(options: Command) -> None:
     )
     for name, k, label in options.few(walls):
         case = read_case(CASES / name)
-        nothing: dict = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m", "tie_spacing_m"))
         assert case.generate is not None
         made = replace(case.generate, count=options.number(case.generate.count, 1))
-        case = replace(case, wall=(replace(case.wall[k], **nothing),), generate=made)
+        case = replace(case, wall=(case.wall[k].without_sought(),), generate=made)
         moves, (clauses, histories) = beside(case), under_the_hand(case, repeats)
         print(f"{label:44} {moves:10.2f} {1e3 * clauses:13.1f} {1e3 * histories:15.0f}", flush=True)

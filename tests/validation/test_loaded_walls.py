@@ -20,6 +20,7 @@ from core.wall.loads import Force, restoring_moment
 from core.wall.moment_rotation import LAWS
 from core.wall.rocking_model import rocking_model
 from tests.core.rocking.lanes_and_histories import assert_lanes_are_histories
+from tests.holds import carries
 from tests.validation import loaded_walls
 
 WALL = {
@@ -35,14 +36,15 @@ PARTS = (3.0, 0.45, 18000.0)
 ROOF = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0, "mass": "none"}
 PUSHING = {**ROOF, "mass": "horizontal"}
 CARRIED = {"kind": "carried_mass", "kn_m": 10.0, "d_m": 0.30, "h_m": 3.0}
-TIE = {"kind": "tie", "kn_m": 5.0, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
+TIE = {"kind": "tie", "out_kn_m": 5.0, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
 INWARD = {"kind": "thrust", "kn_m": -5.0, "h_m": 2.8}
 THRUST = {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5}
 DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "soil": "B", "type": 1}}
 
 
-def case_of(*loads, **changes):
-    wall = {**WALL, **changes} | ({"load": list(loads)} if loads else {})
+def case_of(*given, **changes):
+    """The case of the wall with these loads and ties; without either nobody says that it bears nothing."""
+    wall = WALL | (carries(*given, **changes) if given else changes)
     return parse_case({"wall": [wall], "demand": DEMAND})
 
 

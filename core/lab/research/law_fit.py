@@ -18,6 +18,7 @@ from core.capacity.scale_free_law import (
 )
 from core.lab.research.paper_sets import MECHANISM
 from core.lab.research.set_means import QUANTITIES, MotionValue, exact
+from core.wall.kinematics import kinematics
 from core.wall.moment_rotation import LAWS
 
 MIN_EVENTS = 10
@@ -72,7 +73,7 @@ def columns(values: list[MotionValue], mechanism: str, law: str, quantity: str, 
                 block.p2,
                 np.sqrt(1.0 - loss_ratio(block, restitution)),
                 restitution.model in ("housner", "one_sided_theoretical")
-                and (restitution.model == "housner") == (mechanism == "two_sided"),
+                and (restitution.model == "housner") == (kinematics(mechanism).both_ways),
             )
         p2, loss, default = walls[cell]
         rows.append(

@@ -19,6 +19,7 @@ from core.lab.research.parametric import ParametricResult
 from core.lab.research.set_means import MotionValue
 from core.units import CM, G
 from core.wall.block import Block
+from core.wall.kinematics import kinematics
 from core.wall.restitution import restitution
 
 Say = Callable[..., str]
@@ -108,7 +109,7 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
         form = _closed_forms(sets, mechanism)
         (low, high), (short, tall) = PAPER_RANGE
         near = (sets.alpha >= low) & (sets.alpha <= high) & (sets.height >= short) & (sets.height <= tall)
-        number = 15 + (mechanism == "one_sided")
+        number = 15 + (kinematics(mechanism).one_way)
         own = law_value(fit.law.coefficients, fit.law.limit, sets.scaled, sets.loss)
         for where, which in ((say("all walls"), np.ones(near.size, bool)), (say("walls near the paper's"), near)):
             if which.any():
@@ -124,7 +125,7 @@ def _rival_table(values: list[MotionValue], fits: dict, say: Say) -> Table:
 
 
 def _closed_forms(sets: Columns, mechanism: str) -> np.ndarray:
-    one_sided = mechanism == "one_sided"
+    one_sided = kinematics(mechanism).one_way
     return np.array(
         [
             closed_form_q(np.radians(a), h, si, pga, one_sided)
@@ -170,7 +171,7 @@ def _code_figure(values: list[MotionValue], say: Say) -> tuple[Figure, Table, li
             own = sets.alpha == alpha
             points = [(h, 100.0 * low[own & (sets.height == h)].mean()) for h in np.unique(sets.height)]
             name = f"{say(MECHANISM[mechanism])}, {alpha:g}°"
-            look = LINE_POINTS if mechanism == "two_sided" else DASHED
+            look = LINE_POINTS if kinematics(mechanism).both_ways else DASHED
             series.append(curve(name, points, look, color))
         ratio = sets.intensity / CM / (sets.pga / G)
         edges = np.array([0.0, 250.0, 350.0, 450.0, 550.0, np.inf])
@@ -338,7 +339,7 @@ def _law_figures(values: list[MotionValue], fits: dict, say: Say) -> list[Figure
         title = say("{quantity} against Λ, {mechanism}", quantity=named, mechanism=say(MECHANISM[mechanism]))
         note = (
             say("One-sided, a motion has the lower of the numbers of both its signs.")
-            if mechanism == "one_sided"
+            if kinematics(mechanism).one_way
             else ""
         )
         figures.append(

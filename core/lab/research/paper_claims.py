@@ -22,6 +22,7 @@ from core.lab.research.paper_sets import (
 )
 from core.lab.research.paper_tables import exponent_error, points_of, power_laws, residual
 from core.lab.research.set_means import MotionValue, SetMean, chosen, exact
+from core.wall.kinematics import kinematics
 
 Say = Callable[..., str]
 
@@ -64,7 +65,7 @@ def claims(sets: list[SetMean], values: list[MotionValue], say: Say) -> list[Cla
 
 def _of_the_size(sets: list[SetMean], mechanism: str, name: str, say: Say) -> list[Claim]:
     """q over height and slenderness of rigid walls."""
-    figures = "Fig. 13, 14" if mechanism == "one_sided" else "Fig. 6, 7, 9"
+    figures = "Fig. 13, 14" if kinematics(mechanism).one_way else "Fig. 6, 7, 9"
     rigid = [
         entry
         for model in (THEORETICAL[mechanism], EXPERIMENTAL[mechanism])
@@ -78,7 +79,7 @@ def _of_the_size(sets: list[SetMean], mechanism: str, name: str, say: Say) -> li
 
 def _of_restitution(sets: list[SetMean], values: list[MotionValue], mechanism: str, name: str, say: Say) -> list[Claim]:
     """Whether the theoretical restitution is on the safe side of that fitted to tests, in sets and motion by motion."""
-    figure = "Fig. 15" if mechanism == "one_sided" else "Fig. 8"
+    figure = "Fig. 15" if kinematics(mechanism).one_way else "Fig. 8"
     models = {"theory": words(say)[THEORETICAL[mechanism]], "tests": words(say)[EXPERIMENTAL[mechanism]]}
     ratios = [other.q / one.q for one, other in restitution_pairs(sets, mechanism)]
     return [
@@ -164,7 +165,7 @@ def _of_the_laws(sets: list[SetMean], mechanism: str, name: str, say: Say) -> li
 
 def _of_the_equations(sets: list[SetMean], values: list[MotionValue], mechanism: str, say: Say) -> list[Claim]:
     """Sets and natural records beside Eq. 15 or 16."""
-    one_sided = mechanism == "one_sided"
+    one_sided = kinematics(mechanism).one_way
     ours = theoretical(sets, mechanism)
     forms = [closed_form_of(e) for e in ours]
     ratios, of_event = [], dict[str, list[float]]()

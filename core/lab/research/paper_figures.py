@@ -28,6 +28,7 @@ from core.lab.research.set_means import MotionValue, SetMean, chosen, exact
 from core.rocking.history import integrate_history
 from core.units import CM, G
 from core.wall.block import Block
+from core.wall.kinematics import kinematics
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import restitution
 from core.wall.rocking_model import rocking_model
@@ -221,7 +222,7 @@ def rigid_against_trilinear(sets: list[SetMean], mechanism: str, say: Say) -> Fi
 
 def c1_against_height(sets: list[SetMean], mechanism: str, say: Say) -> Figure:
     """C1 against H and alpha, beside Eq. 14 with the paper's coefficients."""
-    a1, a2, a3, c2 = COEFFICIENTS[mechanism == "one_sided"]
+    a1, a2, a3, c2 = COEFFICIENTS[kinematics(mechanism).one_way]
     points = c1_points(sets, mechanism, c2)
     series = []
     for color, alpha in enumerate(sorted({alpha for alpha, _, _ in points})):
@@ -261,7 +262,7 @@ def natural_records(values: list[MotionValue], mechanism: str, say: Say) -> Figu
     if not ours:
         return None
     number = FIGURE_NUMBERS[mechanism][5]
-    block, one_sided = ours[0].cell.wall.block(), mechanism == "one_sided"
+    block, one_sided = ours[0].cell.wall.block(), kinematics(mechanism).one_way
     intensities = [value.entry.motion.housner_intensity for value in ours]
     points = [(si / CM, value.q_eff) for si, value in zip(intensities, ours, strict=True)]
     x = np.geomspace(min(intensities), max(intensities), 40)

@@ -85,7 +85,7 @@ def c1_points(sets: list[SetMean], mechanism: str, c2: float) -> list[tuple[floa
 def closed_form_of(entry: SetMean) -> float:
     """q of Eq. 15 or 16 for the set."""
     block = entry.cell.wall.block()
-    one_sided = entry.cell.mechanism == "one_sided"
+    one_sided = entry.cell.kinematics.one_way
     return closed_form_q(block.slenderness, block.height, entry.intensity, entry.pga, one_sided)
 
 

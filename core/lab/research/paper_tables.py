@@ -21,6 +21,7 @@ from core.lab.research.paper_sets import (
 from core.lab.research.parametric import ParametricResult
 from core.lab.research.set_means import MotionValue, SetMean, chosen
 from core.units import CM, G
+from core.wall.kinematics import kinematics
 
 Say = Callable[..., str]
 
@@ -107,7 +108,7 @@ def power_law_table(sets: list[SetMean], say: Say) -> Table:
     """Eq. 13 with free and with given exponent, wall by wall."""
     rows = []
     for mechanism in THEORETICAL:
-        c2 = COEFFICIENTS[mechanism == "one_sided"][3]
+        c2 = COEFFICIENTS[kinematics(mechanism).one_way][3]
         for alpha, height, law in power_laws(sets, mechanism):
             members = chosen(theoretical(sets, mechanism), slenderness_deg=alpha, height_m=height)
             given = power_coefficient([e.intensity / CM for e in members], [e.q_eff for e in members], c2)
@@ -164,7 +165,7 @@ def linear_table(sets: list[SetMean], say: Say) -> Table:
     """Eq. 14: A1 to A3 with the paper's exponent and with the mean of the free ones."""
     rows: list[tuple] = []
     for mechanism in THEORETICAL:
-        a1, a2, a3, c2 = COEFFICIENTS[mechanism == "one_sided"]
+        a1, a2, a3, c2 = COEFFICIENTS[kinematics(mechanism).one_way]
         rows.append((say(MECHANISM[mechanism]), say("paper"), c2, a1, a2, a3, None))
         free = [law.c2 for _, _, law in power_laws(sets, mechanism)]
         exponents = [(say("fitted, C2 of the paper"), c2)]
@@ -196,7 +197,7 @@ def distance_table(sets: list[SetMean], say: Say) -> Table:
             add(say("exact, step {step:g} %", step=100 * step), mechanism, chosen(base, method="taylor", q_step=step))
         for method in sorted({e.cell.method for e in base} - {"taylor"}):
             add(words(say).get(method, method), mechanism, chosen(base, method=method))
-        if mechanism == "one_sided":
+        if kinematics(mechanism).one_way:
             add(say("exact, as recorded"), mechanism, theoretical(sets, mechanism), lambda entry: entry.q_recorded)
         ours = theoretical(sets, mechanism)
         for name in dict.fromkeys(e.spectrum.name for e in ours):
@@ -235,10 +236,10 @@ def natural_table(values: list[MotionValue], say: Say) -> Table | None:
                 continue
             block = value.cell.wall.block()
             form = closed_form_q_eff(
-                block.slenderness, block.height, motion.housner_intensity, mechanism == "one_sided"
+                block.slenderness, block.height, motion.housner_intensity, kinematics(mechanism).one_way
             )
             cells += [value.q, value.q_eff / form]
-            if mechanism == "two_sided":
+            if kinematics(mechanism).both_ways:
                 logs.append(math.log(value.q_eff / form))
                 measures.append((motion.pgv, motion.pgv / motion.pga, motion.duration_5_95))
         rows.append(

@@ -195,7 +195,7 @@ def model_of(cell: Cell) -> RockingModel:
     """The numbers of a cell's wall for the kernels."""
     wall = cell.wall
     restitution = wall.restitution_of(cell.mechanism)
-    return rocking_model(wall.block(), cell.mechanism == "one_sided", restitution, wall.moment_law())
+    return rocking_model(wall.block(), cell.kinematics.one_way, restitution, wall.moment_law())
 
 
 def run(
@@ -277,7 +277,7 @@ def _rows(study, motions, threads, journal, on_progress) -> tuple[tuple[Row, ...
     for cell, kinds in cells_of(study).items():
         for k, entry in enumerate(motions):
             if ("records" if entry.seed is None else "generated") in kinds:
-                signs = (1, -1) if cell.mechanism == "one_sided" else (1,)
+                signs = (1, -1) if cell.kinematics.one_way else (1,)
                 planned += [(cell, k, sign) for sign in signs]
     if not planned:
         raise InputError("study_no_runs")

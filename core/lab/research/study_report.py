@@ -25,7 +25,7 @@ def report_of(result: ParametricResult) -> StudyReport:
         notes.append(
             say("{n} runs were finished by an earlier start; the time is that of this one.", n=result.restored)
         )
-    if any(row.cell.mechanism == "one_sided" for row in result.rows):
+    if any(row.cell.kinematics.one_way for row in result.rows):
         notes.append(say("One-sided walls: the lower q of both signs of each motion, unless it says as recorded."))
     without = sum(row.q is None for row in result.rows)
     if without:

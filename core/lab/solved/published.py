@@ -31,7 +31,7 @@ STONE = {"height_m": 5.4, "thickness_m": 0.6}
 PARAPET = {"height_m": 1.2, "thickness_m": 0.25, "unit_weight_kn_m3": 18.0}
 THIN_WALL = {"height_m": 3.0, "thickness_m": 0.30, "unit_weight_kn_m3": 18.0}
 ON_TOP = {"kind": "vertical", "kn_m": 5.0, "d_m": 0.15, "h_m": 3.0, "mass": "horizontal"}
-TIE = {"kind": "tie", "kn_m": 1.9526786, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
+TIE = {"kind": "tie", "out_kn_m": 1.9526786, "h_m": 2.8, "bar_length_m": 8.0, "elongation_m": 0.4}
 
 
 def mechanism_of(wall: dict, *loads: dict, **more) -> KinematicAnalysis:
@@ -109,7 +109,7 @@ def _of_forces() -> tuple[Solved, ...]:
             "published_tie_force",
             Kind.HAND,
             "Circolare 7/2019, C8.7.1.1",
-            (answer("published_alpha0", 0.30, lambda: mechanism_of(WALL, TIE).alpha0),),
+            (answer("published_alpha0", 0.30, lambda: mechanism_of(WALL, hold=[TIE]).alpha0),),
             formula="F = (alpha W H \\/ 2 - W t \\/ 2) / h",
             sketch=Sketch(section(3.0, 0.45), ((0.0, 2.8, 1.0, 0.0),)),
         ),

@@ -90,9 +90,9 @@ class Asked:
         solids = [tuple(points) for points, _ in section_outlines(wall)]
         thickness = require_value(wall.thickness)
         box: Outline = ((0.0, 0.0), (thickness, 0.0), (thickness, height), (0.0, height))
-        loads = []
+        loads = [(0.0, require_value(tie.h_m), 1.0, 0.0) for tie in wall.ties]
         for load in wall.load:
-            across = 0.0 if load.is_weight else 1.0 if load.is_tie or require_value(load.kn_m) < 0.0 else -1.0
+            across = 0.0 if load.is_weight else 1.0 if require_value(load.kn_m) < 0.0 else -1.0
             loads.append((load.d_m or 0.0, load.h_m, across, -1.0 if load.is_weight else 0.0))
         outline, *others = solids or [box]
         return Sketch(outline, tuple(loads), others=tuple(others))

@@ -380,6 +380,13 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
     for code in confirmation_codes(walls):
         ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
         ticks.append(Item(localized("assumption", code, words.language), sign="☑" if ticked else "☐"))
+    aside = dict.fromkeys(
+        (wall.part.asked.title, entry) for wall in result.walls for entry in wall.part.asked.set_aside
+    )
+    for title, entry in aside:
+        named = {"mechanism": localized("mechanism", entry.mechanism, words.language)}
+        named["document"] = entry.shown_by.text(words.language)
+        ticks.append(Item(say("{wall}: {mechanism} is set aside, {document}", wall=title, **named), sign="☑"))
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
         shared += [(say("demand"), warning.text(words.language)) for warning in result.demand_required.warnings]

@@ -1,5 +1,8 @@
 """Part of a note on the site beside its demand: the hazard, the building, the loads of a wall, before and after."""
 
+import math
+
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.codes.floor_spectrum import PLATEAU_END, PLATEAU_START, estimated_period
@@ -100,11 +103,8 @@ def building(result: StudyResult, words: Words) -> list[Part]:
 
 
 def loads(wall: WallResult, words: Words) -> list[Part]:
-    """The loads above the hinge of a wall, as its arrows show them."""
+    """The loads above the hinge of a wall, as its arrows show them, and what holds it and stands something."""
     asked = wall.wall
-    if not asked.load:
-        return []
-    heads = [words.say("Loads"), "[kN/m]", "h [m]", "d [m]", words.word("key_mass")]
     rows = [
         [
             words.word(f"choice_{load.kind}"),
@@ -115,12 +115,28 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
         ]
         for load in asked.load
     ]
-    return [Table(heads, rows, (2, 1, 1, 1, 2))]
+    rows += [_row_of_hold(hold, asked, words) for hold in asked.hold if hold.is_tie or hold.out_kn_m is not None]
+    heads = [words.say("Loads and holds"), "[kN/m]", "h [m]", "d [m]", words.say("mass, or shown")]
+    return [Table(heads, rows, (2, 1, 1, 1, 2))] if rows else []
+
+
+def _row_of_hold(hold: Hold, asked: Wall, words: Words) -> list[str]:
+    """What holds a wall, what it stands outward, and the document that shows it."""
+    stands = 1e-3 * hold.tie(asked.length_m).bar.strength if hold.is_tie else hold.out_kn_m
+    shown = hold.evidence
+    document = (words.word(f"evidence_{shown.kind}"), shown.reference, shown.date, shown.note) if shown else ()
+    return [
+        hold.name or words.word(f"choice_{hold.kind}"),
+        "–" if stands is None or math.isinf(stands) else words.number(stands, ".2f"),
+        words.number(hold.h_m, ".2f"),
+        "–",
+        ", ".join(filter(None, document)) or "–",
+    ]
 
 
 def _size(load: Load, asked: Wall, words: Words) -> str:
     """Size of a load [kN/m], with the sum it is of (NTC 2018 2.5.3)."""
-    size = words.number(1e-3 * load.in_si(asked.length_m).force, ".2f")
+    size = words.number(1e-3 * load.in_si.force, ".2f")
     if load.combined is None:
         return size
     g, q, share = (words.number(value or 0.0, ".2f") for value in (load.g_kn_m, load.q_kn_m, load.psi_2))

@@ -8,7 +8,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.capacity_curve import capacity_curve
 from core.codes.dynamic_check import model_and_scale_at_demand
 from core.known import require_value
-from core.report.load_arrows import arrows
+from core.report.load_arrows import arrows, tie_bars
 from core.report.note import arch_figure, bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words
@@ -18,7 +18,6 @@ from core.study.bar_histories import bar_histories
 from core.study.demand_histories import demand_histories
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G
-from core.wall.masonry import ARCHES
 
 TURNED = math.radians(7.0)
 """Rotation of the dashed outline of the mechanism."""
@@ -32,7 +31,7 @@ FULL_BAR = 1.2
 
 def drawing(wall: WallResult, words: Words) -> Figure | None:
     """The wall to scale with its sizes, hinge, restraint, loads and the mechanism; None for a general block."""
-    if wall.wall.mechanism == ARCHES:
+    if wall.wall.kinematics.arches:
         return arch_figure.drawing(wall, words)
     if wall.wall.bends:
         return bending_figure.drawing(wall, words)
@@ -46,12 +45,12 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
         curves.append(path(legs, "quiet", width=0.9))
     reach = 0.45 * (h + below)
     curves.append(Curve("", (-reach, t + reach), (-below, -below), "quiet", width=1.1))
-    if wall.mechanism == "one_sided":
+    if wall.kinematics.one_way:
         rise, wide = 0.06 * h, 0.05 * h
         for k in range(1, 15):
             y = k * h / 15.0
             curves.append(Curve("", (-0.3 * wide, -0.3 * wide - wide), (y, y - rise), "quiet", width=0.7))
-    for points in arrows(wall.wall, h, t):
+    for points in (*arrows(wall.wall, h, t), *tie_bars(wall.wall, h, t)):
         curves.append(path(points, "amber", width=1.3))
     top = h * (1.0 + 0.1) + 0.04 * h
     sweep = [TURNED * k / 6.0 for k in range(1, 7)]
@@ -82,9 +81,9 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
     ]
     labels += _sizes_of_loads(wall, words)
     caption = words.say("{wall}: sizes, hinge (red point) and mechanism (dashed)", wall=wall.name)
-    if (hold := wall.wall.held_by) and wall.mechanism == "one_sided":
+    if (hold := wall.wall.held_by) and wall.kinematics.one_way:
         caption += words.say("; behind it: {restraint}", restraint=words.word(f"choice_{hold.kind}"))
-    if wall.wall.load:
+    if wall.wall.is_loaded:
         caption += words.say("; loads as arrows")
     low, high = -below - 0.14 * (h + below), top
     for label in labels:
@@ -135,12 +134,14 @@ def _sizes_of_loads(wall: WallResult, words: Words) -> list[Label]:
     """The size of each load at the tail of its arrow, or above that of a load at the same place, of a tie below."""
     h, labels = wall.height, list[Label]()
     high = h + wall.part.hinge  # what the figure shows: a text takes the same part of every figure
-    for load, points in zip(wall.wall.load, arrows(wall.wall, h, wall.thickness), strict=True):
-        x, y = min(points) if not load.is_weight else points[0]
-        x, y = (x, y + 0.05 * high) if load.is_weight else (x - 0.15 * high, y)
+    lines = [*arrows(wall.wall, h, wall.thickness), *tie_bars(wall.wall, h, wall.thickness)]
+    for load, points in zip(wall.wall.in_si.loads, lines, strict=True):
+        up = load.is_weight
+        x, y = points[0] if up else min(points)
+        x, y = (x, y + 0.05 * high) if up else (x - 0.15 * high, y)
         while any(abs(x - label.x) < 0.3 * high and abs(y - label.y) < 0.055 * high for label in labels):
-            y += (-0.03 if load.is_tie else 0.03) * high
-        labels.append(Label(f"{words.number(1e-3 * load.in_si(wall.wall.length_m).force, '.2f')} kN/m", x, y))
+            y += (-0.03 if load.tie else 0.03) * high
+        labels.append(Label(f"{words.number(1e-3 * load.force, '.2f')} kN/m", x, y))
     return labels
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from core.case.register import MECHANISMS
+from core.case.set_aside import ROWS
 from core.codes.assumption import DisplayValue
 from core.report.stated.checks import REACTION
 from core.report.stated.quantity import (
@@ -187,7 +187,7 @@ VERDICT = (
         "mechanisms",
         "the register: every mechanism it may have, those looked at the worst first",
         (
-            text("name", ", ".join(MECHANISMS), "row.name"),
+            text("name", ", ".join(ROWS), "row.name"),
             text("status", "looked_at, not_possible, not_looked_at or set_aside", "row.status"),
             number("from_m", "m", "height above the base from which it moves", "row.low"),
             number("to_m", "m", "and up to which", "row.high"),

@@ -339,7 +339,7 @@ WALL = (
         "loads",
         "of a wall with loads",
         LOADS,
-        lambda of: of.wall if of.wall.wall.load and not of.wall.wall.bends else None,
+        lambda of: of.wall if of.wall.wall.is_loaded and not of.wall.wall.bends else None,
     ).optional(),
     list_quantity(
         "ties", "its ties", TIE, lambda of: [(of.wall, tie) for tie in of.wall.wall.in_si.ties] or None

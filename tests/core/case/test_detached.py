@@ -42,7 +42,7 @@ def test_that_a_leaf_is_a_rectangle_with_its_connectors_and_what_rests_on_it():
         held = weight * t / 2 + (coping * 0.1 if t >= 0.1 else 0.0) + bears + together
         pushes = weight * 3.0 + (coping * 6.0 if t >= 0.1 else 0.0)
         assert sum_chain(whole.in_si, False).start[0] == pytest.approx(held / pushes, rel=1e-9)
-        assert [load.h_m for load in whole.load if load.is_tie] == pytest.approx(rows)
+        assert [tie.h_m for tie in whole.ties] == pytest.approx(rows)
         # a connector is gone where it is pulled out
         assert all(tie.bar.elongation_at_yield == pytest.approx(2e-3) for tie in whole.in_si.ties)
         assert all(tie.bar.stands <= tie.bar.elongation_at_yield for tie in whole.in_si.ties)
@@ -99,11 +99,15 @@ def test_that_what_acts_between_strong_connectors_is_refused_as_by_hand():
     """A thrust, a mass, a slack tie below the highest row: no stretch is looked at, and no leaf passes for that."""
     strong = {"thickness_m": 0.12, "connector_kn_m": 20.0, "row_spacing_m": 5.9, "slip_mm": 5.0}
     assert any(part.top is not None for part in leaves_of(strong))
-    slack = {"kind": "tie", "kn_m": 0.1, "h_m": 3.0, "bar_length_m": 8.0, "slack_mm": 5.0}
+    slack = {"kind": "tie", "out_kn_m": 0.1, "h_m": 3.0, "bar_length_m": 8.0, "slack_mm": 5.0}
     between = {"kind": "thrust", "kn_m": 0.01, "h_m": 1.0}
-    for load in (between, COPING | {"h_m": 1.0, "kn_m": 0.01, "d_m": 0.06}, slack):
+    for keys in (
+        {"load": [between]},
+        {"load": [COPING | {"h_m": 1.0, "kn_m": 0.01, "d_m": 0.06}]},
+        {"hold": [*WALL["hold"], slack]},
+    ):
         with pytest.raises(InputError) as refused:
-            leaves_of(strong, load=[load])
+            leaves_of(strong, **keys)
         assert refused.value.code == "leaf_held"
 
 

@@ -10,6 +10,7 @@ import pytest
 from core.case.held_stretches import find_held_stretches
 from core.case.held_top import mirror_inward
 from core.case.hinges import count_wall_parts, make_wall_parts
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.codes.outcomes import way_key
 from core.codes.vertical_bending import lowest_hinge
@@ -196,22 +197,23 @@ def test_that_a_strength_that_cannot_be_counted_is_refused_and_not_passed_over(k
 
 def test_that_a_thrust_at_a_floor_is_what_its_hold_takes_first_and_a_tie_there_adds_to_it():
     wall = wall_of(anchored(30.0, 30.0, 15.0))
-    push, tie = Load("thrust", 4.0, 6.8), Load("tie", 10.0, 6.8, bar_length_m=9.0)
+    push, tie = Load("thrust", 4.0, 6.8), Hold("tie", h_m=6.8, out_kn_m=10.0, bar_length_m=9.0)
     ductile = replace(tie, elongation_m=0.3)
-    for more, stands in (
-        ([push], 26e3),
-        ([tie], 35e3),
-        ([ductile], 40e3),
-        ([push, ductile], 36e3),
-        ([replace(tie, slack_mm=1.0)], 30e3),
+    for pushes, ties, stands in (
+        ([push], [], 26e3),
+        ([], [tie], 35e3),
+        ([], [ductile], 40e3),
+        ([push], [ductile], 36e3),
+        ([], [replace(tie, slack_mm=1.0)], 30e3),
     ):
-        stretches = find_held_stretches(replace(wall, load=(*wall.load, *more)))
+        more = {"load": (*wall.load, *pushes), "hold": (*wall.hold, *ties)}
+        stretches = find_held_stretches(replace(wall, **more))
         lower, upper = (stretch.wall.in_si.declared for stretch in stretches[1:])
         assert lower.strength + upper.foot_strength == pytest.approx(stands)
 
 
 TIED = [
-    {"kind": "tie", "kn_m": 20.0, "h_m": height, "bar_length_m": 9.0, "elongation_m": 0.3}
+    {"kind": "tie", "out_kn_m": 20.0, "h_m": height, "bar_length_m": 9.0, "elongation_m": 0.3}
     for height in (3.4, 6.8, 10.0)
 ]
 
@@ -221,8 +223,8 @@ def test_that_ties_at_several_floors_hold_a_wall_between_them_as_far_as_the_dema
     """Weak ties give what the wall has by turning, or bending over them; strong ones every stretch of its own."""
     ways = []
     for factor in (0.02, 1.0, 3.0):
-        loads = [*FACADE["load"], *({**tie, "kn_m": factor * tie["kn_m"]} for tie in TIED)]
-        result, verdict, _ = verdict_of(behind(to_m=10.2), ag=0.25, load=loads)
+        ties = [{**tie, "out_kn_m": factor * tie["out_kn_m"]} for tie in TIED]
+        result, verdict, _ = verdict_of([*behind(to_m=10.2), *ties], ag=0.25)
         outcomes = [result.walls[k].assessment.verdict for k in verdict.results]
         ways.append(way_key((one.code, one.zeta_e, 1.0) for one in outcomes))
     assert ways == sorted(ways) and ways[0] < ways[1] <= ways[2]
@@ -253,9 +255,8 @@ def test_that_a_wall_is_held_between_holds_only_where_something_is_behind_it():
         wall_of(anchors)
     assert refused.value.code == "hold_not_counted"
     assert find_held_stretches(wall_of([*anchors, *behind(to_m=10.2)]))
-    tied = wall_of(behind(to_m=10.2), load=[*FACADE["load"], *TIED])
-    assert find_held_stretches(tied)
-    assert find_held_stretches(replace(tied, hold=wall_of(behind(to_m=3.4)).hold)) == []
+    assert find_held_stretches(wall_of([*behind(to_m=10.2), *TIED]))
+    assert find_held_stretches(wall_of([*behind(to_m=3.4), *TIED])) == []
 
 
 def test_that_a_stub_above_the_highest_hold_stands_or_no_hold_counts():
@@ -289,7 +290,6 @@ def test_that_what_stands_above_the_highest_hold_is_moved_as_the_floor_there_is(
 
 
 def test_that_a_tie_is_shown_by_the_reasons_for_all_that_is_counted_of_it():
-    loads = [*FACADE["load"], *TIED]
     for reasons, shown in (
         ({}, False),
         ({"anchorage_kn": "plates, calculation 12"}, False),
@@ -297,7 +297,7 @@ def test_that_a_tie_is_shown_by_the_reasons_for_all_that_is_counted_of_it():
         ({"anchorage_kn": "plates, calculation 12", "elongation_m": "steel of 2021, certificate 4"}, True),
     ):
         keys = {"justification": reasons} if reasons else {}
-        stretches = find_held_stretches(wall_of(behind(to_m=10.2), load=loads, **keys))
+        stretches = find_held_stretches(wall_of([*behind(to_m=10.2), *TIED], **keys))
         assert {stretch.wall.held_by.shows_strength for stretch in stretches} == {shown}
 
 

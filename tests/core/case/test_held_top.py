@@ -9,6 +9,7 @@ from core.case.hinges import default_hinges, hinges_of
 from core.case.rules import parse_case, parse_wall
 from core.case.wall_table import parse_wall_rows, text_rows
 from core.errors import InputError
+from tests.holds import sought
 from tests.validation.circolare import case
 
 WALL = {
@@ -27,11 +28,11 @@ REFUSED = {
     "law": ({"law": "doherty"}, "bending_no_histories"),
     "hinges": ({"hinge_heights": "base"}, "bending_finds_hinge"),
     "return walls": ({"length_m": 4.0, "return_walls": ACROSS}, "bending_return_walls"),
-    "tie to be designed": ({"tie_height_m": 2.5}, "bending_tie"),
+    "tie to be designed": ({"hold": [sought(2.5)]}, "bending_tie"),
     "free element": ({"free_element": True}, "bending_not_free"),
     "no weight": ({"unit_weight_kn_m3": None}, "bending_needs"),
     "stocky": ({"thickness_m": 1.2}, "bending_too_stocky"),
-    "tie": ({"load": [{"kind": "tie", "kn_m": 5.0, "h_m": 3.0, "bar_length_m": 8.0}]}, "bending_tie"),
+    "tie": ({"hold": [{"kind": "tie", "out_kn_m": 5.0, "h_m": 3.0, "bar_length_m": 8.0}]}, "bending_tie"),
     "thrust": ({"load": [{"kind": "thrust", "kn_m": 5.0, "h_m": 3.0}]}, "bending_load"),
     "carried mass": ({"load": [{"kind": "carried_mass", "kn_m": 5.0, "h_m": 3.0, "d_m": 0.1}]}, "bending_load"),
     "above": ({"load": [TOP | {"h_m": 3.5}]}, "load_outside"),

@@ -7,6 +7,7 @@ from core.case.rules import parse_case
 from core.errors import InputError
 from core.study.run import run
 from tests.conftest import ROOT
+from tests.holds import sought
 
 WALL = {
     "name": "facade",
@@ -43,12 +44,14 @@ def test_that_the_floors_are_those_between_base_and_top():
 
 
 def test_that_a_tie_that_is_designed_stands_at_its_height_above_each_hinge_below_it():
-    found = walls_of(case([3.0, 6.0], unit_weight_kn_m3=18.0, tie_height_m=5.5))
-    assert [wall.tie_height_m for wall in found] == [5.5, 2.5, None]
-    bar = {"tie_bar_length_m": 8.0, "tie_elongation_m": 0.3, "tie_spacing_m": 1.5}
-    described = walls_of(case([3.0, 6.0], unit_weight_kn_m3=18.0, tie_height_m=5.5, **bar))
-    assert [wall.tie_height_m for wall in described] == [5.5, 2.5, None]
-    assert {wall.tie_bar_length_m for wall in described} == {8.0}
+    keys = {"unit_weight_kn_m3": 18.0}
+    found = walls_of(case([3.0, 6.0], **keys, hold=[*WALL["hold"], sought(5.5)]))
+    assert [wall.sought and wall.sought.h_m for wall in found] == [5.5, 2.5, None]
+    bar = {"bar_length_m": 8.0, "elongation_m": 0.3, "spacing_m": 1.5}
+    described = walls_of(case([3.0, 6.0], **keys, hold=[*WALL["hold"], sought(5.5, **bar)]))
+    assert [wall.sought and wall.sought.h_m for wall in described] == [5.5, 2.5, None]
+    for tie in (wall.sought for wall in described[:2]):
+        assert (tie.bar_length_m, tie.elongation_m, tie.spacing_m) == (8.0, 0.3, 1.5)
 
 
 def test_that_given_heights_are_taken_in_order_and_once():
@@ -75,8 +78,8 @@ def test_that_without_a_word_a_hinge_is_where_a_load_or_a_storey_is_and_three_ti
     """A wall of 9.0 x 0.60 m, three storeys of 3 m: above 7.2 m its top is stockier than 3."""
     roof = {"kind": "vertical", "kn_m": 8.0, "d_m": 0.4, "h_m": 8.8, "mass": "none"}
     floor = {**roof, "h_m": 4.5}
-    tie = {"kind": "tie", "kn_m": 1.0, "h_m": 7.19, "bar_length_m": 8.0}
-    changes = {"unit_weight_kn_m3": 18.0, "load": [roof, floor, tie], "thickness_m": 0.6}
+    tie = {"kind": "tie", "out_kn_m": 1.0, "h_m": 7.19, "bar_length_m": 8.0}
+    changes = {"unit_weight_kn_m3": 18.0, "load": [roof, floor], "hold": [*WALL["hold"], tie], "thickness_m": 0.6}
     found = [part.hinge for part in parts(case(None, BUILDING, **changes))]
     assert found == pytest.approx([0.0, 3.0, 4.5, 6.0, 7.19])
     assert [part.hinge for part in parts(case("base", BUILDING, **changes))] == [0.0]
@@ -131,5 +134,5 @@ def test_that_a_name_that_stands_twice_is_refused():
 
 @pytest.mark.parametrize(("height", "above"), [(3.1, pytest.approx(0.1)), (3.09, None)])
 def test_that_a_tie_to_be_designed_is_of_the_part_above_a_hinge_from_a_tenth_of_a_metre_on(height, above):
-    found = walls_of(case([3.0], unit_weight_kn_m3=18.0, tie_height_m=height))
-    assert found[1].tie_height_m == above
+    found = walls_of(case([3.0], unit_weight_kn_m3=18.0, hold=[*WALL["hold"], sought(height)]))
+    assert (found[1].sought and found[1].sought.h_m) == above

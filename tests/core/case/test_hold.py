@@ -13,11 +13,12 @@ from core.case.schema import Case
 from core.case.wall_table import parse_wall_rows, text_rows
 from core.case.writer import dumps, table_of
 from core.errors import InputError
-from tests.holds import at_top, behind, between
+from tests.holds import at_top, behind, between, sought
 
 WALL = {"name": "w", "height_m": 5.0, "thickness_m": 0.5, "mechanism": "one_sided", "base_z_m": 0.0}
 WALL |= {"unit_weight_kn_m3": 18.0}
 ENDS = {"shoulder_length_m": 2.0, "shoulder_thickness_m": 0.5}
+TIE = {"out_kn_m": 0.5, "bar_length_m": 8.0}
 
 
 def case_of(**keys) -> Case:
@@ -27,6 +28,7 @@ def case_of(**keys) -> Case:
 @pytest.mark.parametrize("kind", HOLDS)
 def test_that_a_hold_of_every_kind_is_read_and_written_again(kind):
     place = {"h_m": 3.0} if kind in AT_A_HEIGHT else {"from_m": 1.0, "to_m": 4.0}
+    place |= TIE if kind == "tie" else {}
     shown = {"kind": "test", "reference": "PT-04", "date": "2026-03-12", "note": "pulled to 12 kN"}
     case = case_of(hold=[{"kind": kind, "name": "x", "evidence": shown, **place}])
     (hold,) = case.wall[0].hold
@@ -124,6 +126,10 @@ OLDER = {
     "restraint_note": "beams tied",
     "restraint_kn_m": 12.0,
     "arch": {"spacing_m": 4.0, **ENDS},
+    "tie_height_m": 4.0,
+    "tie_bar_length_m": 8.0,
+    "tie_elongation_m": 0.4,
+    "tie_spacing_m": 1.5,
 }
 
 
@@ -160,13 +166,26 @@ def test_that_the_new_writing_can_be_pasted_in_the_place_of_the_older_keys(older
     assert (found.arch is not None) == ("arch" in older)
 
 
+def test_that_the_new_writing_of_a_tie_to_be_designed_is_pasted_beside_that_of_a_restraint():
+    import tomllib
+
+    tie = sought(4.0, bar_length_m=8.0, elongation_m=0.4, spacing_m=1.5)
+    of_tie = {key: value for key, value in OLDER.items() if key.startswith("tie_")}
+    for older, holds in ((of_tie, [tie]), (of_tie | {"back_restraint": "cross_walls"}, [{"kind": "cross_walls"}, tie])):
+        with pytest.raises(InputError) as refused:
+            case_of(**older)
+        assert tomllib.loads(refused.value.text("it").partition("vincolo: ")[2])["hold"] == holds
+        assert case_of(hold=holds).wall[0].sought.spacing_m == 1.5
+
+
 def test_that_the_columns_of_a_table_say_it_in_both_languages_and_older_ones_are_refused():
     head = "Parete;H [m];t [m];Meccanismo;vincolo 1;vincolo 1 prova;hold1_evidence_reference;hold2_kind;hold2_h_m [m]"
     rows = text_rows(head + "\na;5;0,5;un lato;muri trasversali;rilievo;tav. 4;solaio;3")
     first, second = parse_wall_rows(rows)[0].hold
     assert (first.kind, first.evidence.kind, first.evidence.reference) == ("cross_walls", "survey", "tav. 4")
     assert (second.kind, second.h_m, second.evidence) == ("floor", 3.0, None)
-    for title in ("Vincolo", "back_restraint", "restraint", "tenuta", "arco L [m]", "arch_tie_kn_m"):
+    of_ties = ("tie_height_m", "tie_spacing_m [m]", "load1_bar_length_m [m]", "load1_slack_mm")
+    for title in ("Vincolo", "back_restraint", "restraint", "tenuta", "arco L [m]", "arch_tie_kn_m", *of_ties):
         with pytest.raises(InputError) as refused:
             parse_wall_rows(text_rows(f"Parete;H [m];t [m];Meccanismo;{title}\na;5;0,5;un lato;x"))
         assert refused.value.code == "old_column" and "hold1_" in refused.value.text("it")
@@ -188,16 +207,16 @@ def test_that_any_holds_go_with_hinges_a_leaf_and_the_wall_unheld(seed):
     for kind in draw.choices(HOLDS, k=draw.randint(1, 4)):
         low, high = sorted(round(draw.uniform(0.3, height - 0.1), 2) for _ in "ab")
         ends = draw.choice(({}, {"to_m": high}, {"from_m": low, "to_m": high + 0.05}))
-        holds += behind(draw.choice(("drawing", "")), kind, **({"h_m": high} if kind in AT_A_HEIGHT else ends))
+        keys = ({"h_m": high} if kind in AT_A_HEIGHT else ends) | (TIE if kind == "tie" else {})
+        holds += behind(draw.choice(("drawing", "")), kind, **keys)
     leaf = {"thickness_m": 0.2, "connector_kn_m": 1.5, "row_spacing_m": 1.0, "slip_mm": 2.0}
     height = max(height, 3.0 * math.ceil(height / 3.0 - 1.0) + 0.5)  # no stub above a floor that is too stocky to rock
     case = case_of(height_m=height, hold=holds, leaf=draw.choice((leaf, {"thickness_m": 0.2})), hinge_heights="floors")
     for part in make_wall_parts(0, case.wall[0], case.building):
         tops = [hold.h_m or hold.to_m for hold in part.wall.hold]
         assert all(top is None or 0.0 < top <= height - part.hinge + 1e-6 for top in tops)
-        assert part.wall.in_si.declared.restraint in (None, *HOLDS, "tie")
-        tied = any(load.is_tie for load in part.wall.load)
-        assert part.wall.hold or tied or part.wall.mechanism == "two_sided"
+        assert part.wall.in_si.declared.restraint in (None, *HOLDS)
+        assert part.wall.hold or part.wall.mechanism == "two_sided"
 
 
 def test_that_the_kinds_are_told_apart():

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.problems import _with_sizes, _without, find_problems, load_of
 from core.case.reader import read_case
@@ -21,14 +22,15 @@ def test_that_a_case_that_runs_has_none():
 
 
 def test_that_each_value_that_is_missing_is_named_once():
-    wall = Wall("w", "", height_m=4.0, thickness_m=0.4, load=(Load("vertical", None, 3.0), Load("tie", "", "")))
+    tie, sizes = Hold("tie", h_m="", out_kn_m=""), {"height_m": 4.0, "thickness_m": 0.4}
+    wall = Wall("w", "", **sizes, load=(Load("vertical", None, 3.0),), hold=(tie,))
     case = Case(wall=(wall, Wall("v", "two_sided", height_m=3.0, thickness_m=0.3)), demand=Demand(""))
     found = find_problems(case)
     assert [(error.key, error.wall) for error in found if error.key == "base_z_m"] == [
         ("base_z_m", "w"),
         ("base_z_m", "v"),
     ]
-    assert {"ag_g", "h_m", "kn_m"} <= set(keys(case))
+    assert {"ag_g", "h_m", "kn_m", "out_kn_m"} <= set(keys(case))
     assert len({(error.code, error.key, error.wall, error.place) for error in found}) == len(found)
 
 
@@ -80,11 +82,11 @@ def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_o
 
 def test_that_an_error_of_a_variant_says_its_wall_once():
     wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, variant="progetto")
-    loads = (Load("tie", 4.0, 2.5),)
+    hold = (Hold("tie", h_m=2.5, out_kn_m=4.0),)
     for changed in (
         replace(wall, compressive_strength_mpa=2.0),
-        replace(wall, load=loads, unit_weight_kn_m3=18.0),
-        replace(wall, load=loads),
+        replace(wall, hold=hold, unit_weight_kn_m3=18.0),
+        replace(wall, hold=hold),
     ):
         found = [str(error) for error in find_problems(Case(wall=(changed,)))]
         assert found and all(words.count('wall "w') == 1 and '"w (progetto)"' in words for words in found), found

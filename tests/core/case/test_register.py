@@ -5,15 +5,8 @@ import random
 import pytest
 
 from core.case.hinges import count_wall_parts, make_wall_parts
-from core.case.register import (
-    LOOKED_AT,
-    MECHANISMS,
-    NOT_LOOKED_AT,
-    NOT_POSSIBLE,
-    SET_ASIDE,
-    VERTICAL_BENDING,
-    find_left_out,
-)
+from core.case.register import LOOKED_AT, NOT_LOOKED_AT, NOT_POSSIBLE, SET_ASIDE, find_left_out
+from core.case.set_aside import ROWS, VERTICAL_BENDING
 from core.case.wall_table import parse_wall_rows
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.errors import InputError
@@ -24,22 +17,22 @@ from core.study.run import run
 from core.text.sentence import localized
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
-from tests.holds import at_top, behind, between
+from tests.holds import aside, at_top, behind, between, carries
 
 SPECTRUM = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "C", "topography": "T1"}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 WALL = {"name": "w", "mechanism": "one_sided", "height_m": 9.0, "thickness_m": 0.6, "length_m": 8.0}
 WALL |= {"base_z_m": 0.0, "unit_weight_kn_m3": 18.0, "unloaded_confirmed": True, "hold": behind(to_m=9.0)}
 FLOOR = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.4, "mass": "none"}
-TIE = {"kind": "tie", "kn_m": 8.0, "h_m": 8.6, "bar_length_m": 9.0, "elongation_m": 0.3}
-WEAK = TIE | {"kn_m": 5.0}
+TIE = {"kind": "tie", "out_kn_m": 8.0, "h_m": 8.6, "bar_length_m": 9.0, "elongation_m": 0.3}
+WEAK = TIE | {"out_kn_m": 5.0}
 BENT = {"mechanism": "vertical_bending", "height_m": 3.0, "hold": at_top(3.0, 9.0)}
-REASON = "ring beam of 2019, drawing 4"
 PUSH = {"kind": "thrust", "kn_m": 0.5, "h_m": 3.0}
 
 
-def loaded(*loads):
-    return {"load": list(loads), "unloaded_confirmed": False}
+def loaded(*given, hold=WALL["hold"]):
+    """Keys of a wall with these loads and ties beside its holds."""
+    return {"unloaded_confirmed": False} | carries(*given, hold=hold)
 
 
 def studied(keys=None, building=BUILDING, ag=0.02):
@@ -68,12 +61,12 @@ def floors(*heights):
         ({}, BUILDING, ("overturning", LOOKED_AT)),
         ({}, BUILDING, (VERTICAL_BENDING, NOT_POSSIBLE)),
         ({"hinge_heights": "base"}, BUILDING, ("overturning", NOT_LOOKED_AT)),
-        ({"hinge_heights": "base", "justification": {"hinge_heights": REASON}}, BUILDING, ("overturning", SET_ASIDE)),
+        ({"hinge_heights": "base", "set_aside": [aside("overturning")]}, BUILDING, ("overturning", SET_ASIDE)),
         (loaded(FLOOR | {"h_m": 4.0}), None, ("overturning", NOT_LOOKED_AT)),
         (loaded(TIE), BUILDING, (VERTICAL_BENDING, LOOKED_AT)),
         (loaded(WEAK, PUSH), BUILDING, (VERTICAL_BENDING, NOT_LOOKED_AT)),
         (loaded(WEAK | {"slack_mm": 0.01}), BUILDING, (VERTICAL_BENDING, NOT_LOOKED_AT)),
-        (loaded(WEAK, PUSH) | {"justification": {"hinge_heights": REASON}}, BUILDING, (VERTICAL_BENDING, SET_ASIDE)),
+        (loaded(WEAK, PUSH) | {"set_aside": [aside("vertical_bending")]}, BUILDING, (VERTICAL_BENDING, SET_ASIDE)),
         ({"mechanism": "both"} | loaded(WEAK, PUSH), BUILDING, (VERTICAL_BENDING, NOT_LOOKED_AT)),
         ({"hold": between()}, BUILDING, ("horizontal_bending", NOT_LOOKED_AT)),
         ({"hold": behind()}, None, ("part_above", NOT_LOOKED_AT)),
@@ -119,9 +112,9 @@ def random_wall(draw):
         else []
     )
     if keys["mechanism"] == "one_sided" and draw.random() < 0.5:
-        loads.append(TIE | {"h_m": round(0.95 * height, 2), "kn_m": draw.choice((0.5, 3.0))})
+        loads.append(TIE | {"h_m": round(0.95 * height, 2), "out_kn_m": draw.choice((0.5, 3.0))})
     if loads:
-        keys |= loaded(*loads)
+        keys |= loaded(*loads, hold=keys["hold"])
     if draw.random() < 0.3:
         keys["hinge_heights"] = "base"
     return keys
@@ -137,7 +130,7 @@ def test_that_every_wall_has_a_row_for_every_mechanism_and_none_left_out_lets_it
             result, register = studied(keys, building, draw.choice((0.005, 0.03)))
         except InputError:
             continue
-        assert {looked.row.name for looked in register} == set(MECHANISMS)
+        assert {looked.row.name for looked in register} == set(ROWS)
         outcome = result.walls[result.verdicts[0].governing].assessment.verdict
         left = [looked for looked in register if looked.row.status == NOT_LOOKED_AT]
         assert not left or outcome.code == "indicative" or OUTCOMES[outcome.code].judgement != PASSES
@@ -155,8 +148,8 @@ def test_that_every_wall_has_a_row_for_every_mechanism_and_none_left_out_lets_it
 def test_that_a_wall_held_back_bends_inward_between_its_floors_where_that_starts_soon():
     """A tie strong enough at the top leaves the stretches below it to bend; pressed inward they do so between the
     floors, which are no ties."""
-    strong, building = TIE | {"kn_m": 40.0}, parse_case({"building": BUILDING, "wall": [WALL]}).building
-    for keys, inward in ((loaded(strong) | {"hold": floors(4.0, 9.0)}, True), ({"hold": floors(4.0, 9.0)}, False)):
+    strong, building = TIE | {"out_kn_m": 40.0}, parse_case({"building": BUILDING, "wall": [WALL]}).building
+    for keys, inward in ((loaded(strong, hold=floors(4.0, 9.0)), True), ({"hold": floors(4.0, 9.0)}, False)):
         wall = parse_case({"building": BUILDING, "wall": [WALL | keys]}).wall[0]
         parts = [part for part in make_wall_parts(0, wall, building) if part.inward]
         assert bool(parts) == inward

@@ -251,8 +251,8 @@ def test_that_what_holds_in_places_does_not_pass_without_their_spacing(kind):
 def test_that_a_wall_that_also_bends_between_ties_across_it_has_both_with_its_note():
     from core.report.note.content import note
 
-    tie = {"kind": "tie", "kn_m": 60.0, "h_m": 3.0, "bar_length_m": 6.0}
-    result = study(hold=between(5.0, **TIE), load=[tie], unloaded_confirmed=False)
+    tie = {"kind": "tie", "out_kn_m": 60.0, "h_m": 3.0, "bar_length_m": 6.0}
+    result = study(hold=[*between(5.0, **TIE), tie])
     assert [wall.mechanism for wall in result.walls][1:] == ["vertical_bending", "horizontal_bending"]
     assert note(result, "it") and note(result, "en")
 

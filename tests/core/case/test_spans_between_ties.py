@@ -17,6 +17,7 @@ from core.errors import InputError
 from core.study.run import run
 from core.wall.wall_loads import hinge_inside
 from tests.clauses_alone import parse_case as clauses_alone
+from tests.holds import carries
 
 FACADE = {
     "name": "facade",
@@ -31,18 +32,18 @@ FACADE = {
 }
 ROOF = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.225, "h_m": 6.5, "mass": "none"}
 BAR = {"number": 4, "diameter_mm": 24.0, "fy_mpa": 235.0, "fu_mpa": 360.0, "anchorage_kn": 200.0}
-TIE = {"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "elongation": 0.05, "bar": BAR}
+TIE = {"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "elongation_m": 0.4, "bar": BAR}
 ACROSS = {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}
 DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
 BUILDING = {"height_m": 7.5, "storeys": 2, "period_s": 0.3}
 
 
 def wall_of(*loads, **changes):
-    return parse_case({"wall": [{**FACADE, "load": list(loads), **changes}]}).wall[0]
+    return parse_case({"wall": [carries(*loads, **(FACADE | changes))]}).wall[0]
 
 
 def study(*loads, **changes):
-    table = {"wall": [{**FACADE, "load": list(loads), **changes}], "demand": DEMAND, "building": BUILDING}
+    table = {"wall": [carries(*loads, **(FACADE | changes))], "demand": DEMAND, "building": BUILDING}
     return run(clauses_alone(table), base_dir=Path())
 
 
@@ -120,7 +121,7 @@ def test_that_what_shows_the_cross_walls_does_not_show_the_tie():
     gentle = {"demand": {"ag_g": 0.05, "spectrum": DEMAND["spectrum"]}, "building": BUILDING}
     codes = {}
     for reason in ({}, {"justification": {"anchorage_kn": "plates and masonry, calculation 12"}}):
-        table = {"wall": [{**FACADE, "thickness_m": 0.6, "load": [{**ROOF, "d_m": 0.3}, TIE], **reason}], **gentle}
+        table = {"wall": [carries({**ROOF, "d_m": 0.3}, TIE, **(FACADE | {"thickness_m": 0.6} | reason))], **gentle}
         walls = run(clauses_alone(table), base_dir=Path()).walls
         (stretch,) = (wall for wall in walls if wall.part.top is not None)
         shown = stretch.wall.held_by.evidence
@@ -135,7 +136,7 @@ def test_that_a_weak_tie_between_holds_nothing():
     wire = {**TIE, "h_m": 3.25, "bar": {**BAR, "number": 1, "diameter_mm": 4.0}}
     assert (0.0, 6.5) in find_bending_spans(wall_of(ROOF, TIE, wire))
     assert (0.0, 6.5) in find_bending_spans(
-        wall_of(ROOF, TIE, {"kind": "tie", "kn_m": 0.01, "h_m": 3.25, "bar_length_m": 8.0})
+        wall_of(ROOF, TIE, {"kind": "tie", "out_kn_m": 0.01, "h_m": 3.25, "bar_length_m": 8.0})
     )
     strong = wall_of(ROOF, TIE, {**TIE, "h_m": 3.25})
     assert find_bending_spans(strong) == ((0.0, 3.25), (0.0, 6.5), (3.25, 6.5))
@@ -145,7 +146,7 @@ def test_that_a_weak_tie_between_holds_nothing():
 def test_that_more_steel_gives_no_lower_zeta_by_a_jump():
     zetas = []
     for force in (6.0, 8.0, 9.0, 10.0, 10.5, 11.0, 11.4, 15.0):
-        tie = {"kind": "tie", "kn_m": force, "h_m": 6.5, "bar_length_m": 8.0, "elongation": 0.05}
+        tie = {"kind": "tie", "out_kn_m": force, "h_m": 6.5, "bar_length_m": 8.0, "elongation_m": 0.4}
         zetas.append(min(wall.assessment.verdict.zeta_e for wall in study(ROOF, tie).walls))
     assert all(later >= earlier * (1.0 - 0.02) for earlier, later in itertools.pairwise(zetas)), zetas
 
@@ -272,7 +273,7 @@ def test_that_a_facade_leaning_outward_bends_the_sooner():
                                    {"steps": [{"from_z_m": 3.0, "thickness_m": 0.4}]}, {"out_of_plumb_m": 0.05},
                                    {"gable_m": 1.5}])  # fmt: skip
 def test_that_a_tie_at_the_very_top_holds_a_wall_of_any_shape(shape):
-    wall = wall_of({**TIE, "h_m": 7.5}, **shape, unloaded_confirmed=False)
+    wall = wall_of({**TIE, "h_m": 7.5}, **shape)
     for span in find_bending_spans(wall):
         part = cut_span(wall, *span)
         assert bending(part.in_si).alpha0 > 0.0
@@ -281,10 +282,10 @@ def test_that_a_tie_at_the_very_top_holds_a_wall_of_any_shape(shape):
 
 def test_that_a_stretch_above_a_tie_is_looked_at_where_the_part_from_there_up_is_no_block():
     """The whole wall turns long before, as one block; of the part above the lower tie the upper one opens a hinge."""
-    ties = [{"kind": "tie", "kn_m": f, "h_m": z, "bar_length_m": 9.0} for f, z in ((5.0, 3.49), (10.0, 5.94))]
+    ties = [{"kind": "tie", "out_kn_m": f, "h_m": z, "bar_length_m": 9.0} for f, z in ((5.0, 3.49), (10.0, 5.94))]
     floor = {"kind": "vertical", "kn_m": 13.9, "d_m": 0.374, "h_m": 5.94, "mass": "moving"}
     table = {"name": "w", "height_m": 8.78, "thickness_m": 0.624, "mechanism": "one_sided", "base_z_m": 0.0}
-    table |= {"unit_weight_kn_m3": 18.0, "load": [*ties, floor]}
+    table |= {"unit_weight_kn_m3": 18.0, "load": [floor], "hold": ties}
     wall = parse_case({"wall": [table]}).wall[0]
     assert (3.49, 5.94) in find_bending_spans(wall)
     assert hinge_inside(wall.in_si) is None is not hinge_inside(cut_above_hinge(wall, 3.49).in_si)

@@ -27,6 +27,7 @@ Timpano;2;6,5;3.5;45;4;18;;su due lati;;
 
 NESTED_OF_A_WALL = (
     "load",
+    "set_aside",
     "return_walls",
     "hold",
     "leaf",
@@ -309,20 +310,30 @@ def test_that_a_row_is_hidden_however_a_workbook_says_it(tmp_path, old, new):
 
 
 LOADED = """Parete;z;H;t;Peso specifico;Meccanismo;velocity_ratio;Carico 1;Carico 1 p;Carico 1 d;Carico 1 h;\
-Carico 1 massa;Carico 2;load2_kn_m;load2_h_m;Carico 2 lunghezza barra;Variante
-;m;m;cm;kN/m3;;;;kN/m;cm;m;;;kN/m;m;m;
-A;0;3;45;18;un lato;0,5;verticale;10;30;3;orizzontale;catena;2,5;2,8;9;progetto
-B;0;3;45;18;un lato;;;;;;;;;;;
+Carico 1 massa;Carico 2;load2_kn_m;load2_h_m;Vincolo 1;hold1_out_kn_m;hold1_h_m;Vincolo 1 lunghezza barra;Variante
+;m;m;cm;kN/m3;;;;kN/m;cm;m;;;kN/m;m;;kN/m;m;m;
+A;0;3;45;18;un lato;0,5;verticale;10;30;3;orizzontale;spinta;0,5;1,5;catena;2,5;2,8;9;progetto
+B;0;3;45;18;un lato;;;;;;;;;;;;;;
 """
 
 
-def test_that_loads_stand_in_columns_of_their_own():
+def test_that_loads_and_ties_stand_in_columns_of_their_own():
     rows = text_rows(LOADED.replace("e;Carico", "velocity_ratio;Carico").replace("un lato;;v", "un lato;0,5;v"))
     loaded, bare = parse_wall_rows(rows)
     first, second = loaded.load
     assert (first.kind, first.kn_m, first.d_m, first.h_m, first.mass) == ("vertical", 10.0, 0.3, 3.0, "horizontal")
-    assert (second.kind, second.kn_m, second.h_m, second.mass) == ("tie", 2.5, 2.8, None)
-    assert loaded.variant == "progetto" and bare.load == ()
+    assert (second.kind, second.kn_m, second.h_m, second.mass) == ("thrust", 0.5, 1.5, None)
+    (tie,) = loaded.ties
+    assert (tie.kind, tie.out_kn_m, tie.h_m, tie.bar_length_m) == ("tie", 2.5, 2.8, 9.0)
+    assert loaded.variant == "progetto" and bare.load == bare.hold == ()
+
+
+def test_that_a_tie_to_be_designed_stands_in_columns_of_a_hold():
+    """The word for a tie may be either of the two."""
+    heads = "Parete;H [m];t [m];Meccanismo;Peso specifico;Vincolo 1;Vincolo 1 h [m];Vincolo 1 da dimensionare"
+    for word in ("catena", "tirante", "tie"):
+        (wall,) = parse_wall_rows(text_rows(f"{heads}\na;3;0,45;un lato;18;{word};2,8;sì"))
+        assert (wall.sought.kind, wall.sought.h_m, wall.ties) == ("tie", 2.8, ())
 
 
 def test_that_a_load_that_lacks_its_size_names_row_and_key():
@@ -404,7 +415,8 @@ def test_that_a_table_takes_every_key_of_a_wall():
 
 
 @pytest.mark.parametrize(
-    ("cell", "words"), [("oscillante", "su due lati, due lati, su un lato"), ("spingente", "verticale, spinta, catena")]
+    ("cell", "words"),
+    [("oscillante", "su due lati, due lati, su un lato"), ("spingente", "verticale, spinta, massa portata")],
 )
 def test_that_a_wrong_word_is_answered_with_the_words_of_the_list(cell, words):
     head = "Parete;H [m];t [m];Meccanismo;Peso specifico;Carico 1"

@@ -9,6 +9,7 @@ from core.case.rules import parse_case, parse_draft
 from core.case.writer import dumps
 from core.errors import InputError
 from tests.core.case.tables import case
+from tests.holds import sought
 
 
 @pytest.mark.shows("case.written")
@@ -27,17 +28,13 @@ def test_that_a_case_written_and_read_again_is_the_same():
     assert again.sha256 == first.sha256
 
 
-def test_that_loads_return_walls_and_hazard_are_written_and_read_again():
-    loads = [
-        {"kind": "vertical", "kn_m": 10.0, "h_m": 7.0, "d_m": 0.4, "mass": "none"},
-        {"kind": "tie", "kn_m": 2.0, "h_m": 6.5, "bar_length_m": 8.0},
-    ]
+def test_that_loads_ties_return_walls_and_hazard_are_written_and_read_again():
     wall = {
-        "load": loads,
+        "load": [{"kind": "vertical", "kn_m": 10.0, "h_m": 7.0, "d_m": 0.4, "mass": "none"}],
+        "hold": [{"kind": "tie", "out_kn_m": 2.0, "h_m": 6.5, "bar_length_m": 8.0}, sought(6.0)],
         "unit_weight_kn_m3": 18.0,
         "length_m": 5.0,
         "variant": "progetto",
-        "tie_height_m": 6.0,
         "mechanism": "one_sided",
         "hinge_heights": [2.0],
         "return_walls": {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3},

@@ -55,7 +55,7 @@ def test_that_a_wall_elastic_up_to_its_limit_has_none_and_a_stiff_one_the_least(
 
 @pytest.mark.shows("kinematic.branch_without_modulus")
 def test_that_ties_and_unlike_sides_have_no_branch():
-    tie = {"kind": "tie", "kn_m": 2.0, "h_m": 1.0, "bar_length_m": 6.0, "elongation_m": 0.2}
-    assert found_of(load=[tie]) == ()
+    tie = {"kind": "tie", "out_kn_m": 2.0, "h_m": 1.0, "bar_length_m": 6.0, "elongation_m": 0.2}
+    assert found_of(hold=[tie]) == ()
     one = parse_wall(PARAPET | {"mechanism": "one_sided"})
     assert branches_of(one.in_si, "one_sided", make_rocking_model(one, "one_sided"))

@@ -55,11 +55,11 @@ def test_that_d_slv_ends_where_a_tie_breaks_that_holds_more_than_half():
 
 @pytest.mark.shows("kinematic.d_slv_of_ties")
 def test_that_a_tie_that_holds_less_than_half_is_gone_at_d_slv():
-    found, demand = found_of(ROOF, {**TIE, "kn_m": 2.0, "elongation_m": 0.06})
+    found, demand = found_of(ROOF, {**TIE, "out_kn_m": 2.0, "elongation_m": 0.06})
     assert found.d_limit == pytest.approx(0.40 * found.d0, rel=1e-12)
     assert found.a_limit == pytest.approx(0.60 * (WX + ND) / WY * G / 1.35, rel=1e-12)
     # at yield without an elongation it is gone long before
-    brittle, _ = found_of(ROOF, {**TIE, "kn_m": 2.0, "elongation_m": None})
+    brittle, _ = found_of(ROOF, {**TIE, "out_kn_m": 2.0, "elongation_m": None})
     assert brittle.a_limit == found.a_limit
     curve = capacity_curve(found, demand).capacity
     drops = [a - b for (d, a), (after, b) in itertools.pairwise(curve) if after - d < 1e-9 and a - b > 1e-3]
@@ -69,7 +69,7 @@ def test_that_a_tie_that_holds_less_than_half_is_gone_at_d_slv():
 @pytest.mark.shows("kinematic.d_slv_of_ties")
 def test_that_ties_of_several_heights_break_one_after_another():
     """Neither holds half, both together do: d_SLV ends where the second breaks."""
-    pair = ({**TIE, "kn_m": 2.2, "elongation_m": 0.03}, {**TIE, "kn_m": 2.2, "h_m": 2.7, "elongation_m": 0.08})
+    pair = ({**TIE, "out_kn_m": 2.2, "elongation_m": 0.03}, {**TIE, "out_kn_m": 2.2, "h_m": 2.7, "elongation_m": 0.08})
     found, _ = found_of(ROOF, *pair)
     first, second = (float(found.chain.displacement(math.asin(u / h))) for u, h in ((0.03, 2.8), (0.08, 2.7)))
     assert first < found.d_limit == pytest.approx(second, rel=1e-12) and second < 0.40 * found.d0
@@ -77,7 +77,7 @@ def test_that_ties_of_several_heights_break_one_after_another():
 
 
 def test_that_the_inward_side_of_a_two_sided_wall_has_no_tie():
-    found, _ = found_of(ROOF, {**TIE, "kn_m": 1.0}, mechanism="two_sided", free_element=False)
+    found, _ = found_of(ROOF, {**TIE, "out_kn_m": 1.0}, mechanism="two_sided", free_element=False)
     bare, _ = found_of(ROOF, mechanism="two_sided", free_element=False)
     assert (found.alpha0, found.d0, found.a_limit) == (bare.alpha0, bare.d0, bare.a_limit)
     assert found.chain.ties == () and found.chain.d0_with_ties is None

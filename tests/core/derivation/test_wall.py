@@ -22,7 +22,7 @@ from core.study.run import run
 from core.units import G
 from core.wall.restitution import MODELS
 from tests.clauses_alone import parse_case
-from tests.holds import between
+from tests.holds import between, carries
 from tests.validation.circolare import EN_B, NTC_C
 
 LOADS = (
@@ -50,7 +50,8 @@ def load_of(draw, height, thickness):
     if load["kind"] in ("vertical", "carried_mass"):
         load |= {"d_m": round(thickness * draw.uniform(0.3, 0.8), 3), "kn_m": round(draw.uniform(1.0, 8.0), 3)}
     if load["kind"] == "tie":
-        load |= {"bar_length_m": 8.0} | draw.choice(({}, {"elongation_m": 0.03}, {"elongation_m": 0.4}))
+        stands = draw.choice(({}, {"elongation_m": 0.03}, {"elongation_m": 0.4}))
+        load |= {"out_kn_m": load.pop("kn_m"), "bar_length_m": 8.0} | stands
     return load
 
 
@@ -171,7 +172,7 @@ def wall_of(draw, k):
         inward = any(load["kind"] == "tie" for load in loads)
         if inward:
             wall |= {"mechanism": "one_sided", "restitution": "one_sided_theoretical"}
-        return wall | {"load": loads}
+        return carries(*loads, **wall)
     return wall
 
 
@@ -318,8 +319,8 @@ def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):
         (tmp_path / f"r{k}.txt").write_text("\n".join(f"{value:.9e}" for value in ground * (0.9 + 0.1 * k)))
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "mechanism": "one_sided", "base_z_m": 0.0}
     friction = {"unit_weight_kn_m3": 18.0, "length_m": 5.0, "return_walls": ACROSS}
-    tie = {"kind": "tie", "kn_m": 1.5, "h_m": 5.5, "bar_length_m": 8.0, "elongation_m": 0.3}
-    tied = {"name": "t", "unit_weight_kn_m3": 18.0, "load": [tie], "hinge_heights": "base"}
+    tie = {"kind": "tie", "out_kn_m": 1.5, "h_m": 5.5, "bar_length_m": 8.0, "elongation_m": 0.3}
+    tied = {"name": "t", "unit_weight_kn_m3": 18.0, "hold": [tie], "hinge_heights": "base"}
     records = [{"file": f"r{k}.txt", "unit": "m/s2", "time_step_s": 0.01} for k in range(3)]
     case = parse_case(
         {
@@ -340,11 +341,11 @@ def test_that_the_sections_of_a_run_with_records_agree_too(reference, tmp_path):
 
 def test_that_a_slack_tie_beside_one_that_counts_adds_nothing_to_what_the_ties_hold(tmp_path):
     """Both are of one wall: the formula has all of them, and the slack one with no force."""
-    tie = {"kind": "tie", "kn_m": 1.5, "h_m": 5.5, "bar_length_m": 8.0, "elongation_m": 0.3}
+    tie = {"kind": "tie", "out_kn_m": 1.5, "h_m": 5.5, "bar_length_m": 8.0, "elongation_m": 0.3}
     slack = tie | {"h_m": 4.5, "slack_mm": 5.0}
     sizes = {"height_m": 6.0, "thickness_m": 0.5, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0}
     table = {
-        "wall": [{"name": "w", "mechanism": "one_sided", **sizes, "load": [slack, tie], "hinge_heights": "base"}],
+        "wall": [{"name": "w", "mechanism": "one_sided", **sizes, "hold": [slack, tie], "hinge_heights": "base"}],
         "demand": {"ag_g": 0.1, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
         "analysis": {"histories": False},
     }

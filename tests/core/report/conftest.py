@@ -16,7 +16,7 @@ BUILDING = ROOT / "resources" / "cases" / "building.toml"
 def building(kept):
     """A facade, a gable and a parapet above the ground, all with loads."""
     case = read_case(BUILDING)
-    facade = replace(case.wall[0], hinge_heights=None, tie_height_m=None)
+    facade = replace(case.wall[0].without_sought(), hinge_heights=None)
     walls = (facade, *(replace(wall, law="rigid") for wall in case.wall[2:]))
     case = replace(case, generate=replace(case.generate, count=3), wall=walls)
     return kept("building_of_reports", lambda: run(case, base_dir=BUILDING.parent))
@@ -28,8 +28,7 @@ def whole_building(kept):
     case = read_case(BUILDING)
     rows = ((30.0, 0.08), (50.0, 0.1), (475.0, case.demand.ag_g), (975.0, 0.34))
     hazard = tuple(HazardRow(years, ag, 2.4, 0.3) for years, ag in rows)
-    none = dict.fromkeys(("tie_height_m", "tie_bar_length_m", "tie_elongation_m"))
-    walls = tuple(replace(wall, law="rigid", **none) for wall in case.wall)
+    walls = tuple(replace(wall.without_sought(), law="rigid") for wall in case.wall)
     walls = tuple(replace(wall, hinge_heights=(3.0,)) if wall.name == "facade" else wall for wall in walls)
     asked = replace(
         case, generate=replace(case.generate, count=7), wall=walls, demand=replace(case.demand, hazard=hazard)

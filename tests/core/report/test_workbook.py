@@ -21,12 +21,12 @@ from core.case.values import field_of
 from core.errors import Cancelled
 from core.report.cells import Book
 from core.report.input_sheet import inputs
-from core.report.load_arrows import arrows
+from core.report.load_arrows import arrows, tie_bars
 from core.study import run as study
 from core.study.governing import collapse_histories
 from tests.conftest import STANDING
 from tests.core.report import whole_workbook
-from tests.holds import between
+from tests.holds import between, sought
 
 HOSTILE = '=HYPERLINK("http://x","y")'
 
@@ -282,7 +282,7 @@ def loads(folder):
             **base,
             "name": "a",
             "variant": "stato di fatto",
-            "tie_height_m": 2.8,
+            "hold": [*base["hold"], sought(2.8)],
             "load": [roof, {"kind": "thrust", "kn_m": 2.0, "h_m": 2.5, "d_m": 0.3}],
         },
         {
@@ -292,7 +292,8 @@ def loads(folder):
             "hinge_setback_m": 0.03,
             "return_walls": across,
             "length_m": 4.0,
-            "load": [{**roof, "mass": "horizontal"}, {"kind": "tie", "kn_m": 3.0, "h_m": 2.8, "bar_length_m": 8.0}],
+            "load": [{**roof, "mass": "horizontal"}],
+            "hold": [*base["hold"], {"kind": "tie", "out_kn_m": 3.0, "h_m": 2.8, "bar_length_m": 8.0}],
         },
         {
             **base,
@@ -353,7 +354,7 @@ def test_that_every_load_is_an_arrow_at_its_place(loads):
     down, outward = arrows(wall, 3.0, 0.45)
     assert down[1] == (0.45 - 0.30, 3.0) and down[0][1] > 3.0
     assert outward[1] == (0.45 - 0.30, 2.5) and outward[0][0] < outward[1][0]
-    bar = arrows(loads[0].walls[1].wall, 3.0, 0.45)[1]  # from behind the wall to its plate on the outer face
+    (bar,) = tie_bars(loads[0].walls[1].wall, 3.0, 0.45)  # from behind the wall to its plate on the outer face
     assert bar[0][0] < 0.0 and bar[0][1] == bar[1][1] == 2.8 and {x for x, _ in bar[1:]} == {0.45}
     lengths = [abs(a[0] - b[0]) + abs(a[1] - b[1]) for a, b in (down[:2], outward[:2])]
     assert lengths[0] > lengths[1]

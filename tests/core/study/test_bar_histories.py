@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from core.case.loads import Load
+from core.case.hold import Hold
 from core.case.wall import Wall
 from core.rocking.bar_state import BROKEN, SLACK, TAUT, YIELDING
 from core.rocking.history import integrate_history
@@ -14,7 +14,7 @@ from core.units import G
 
 def wall_of(*ties):
     return Wall(
-        "w", "one_sided", height_m=7.0, thickness_m=0.83, unit_weight_kn_m3=18.0, velocity_ratio=0.5, load=tuple(ties)
+        "w", "one_sided", height_m=7.0, thickness_m=0.83, unit_weight_kn_m3=18.0, velocity_ratio=0.5, hold=tuple(ties)
     )
 
 
@@ -26,7 +26,7 @@ def found_of(wall, amplitude, period=1.0, rest=6000):
 
 
 def test_that_a_bar_is_taut_yields_turns_back_and_is_slack():
-    wall = wall_of(Load("tie", 4.0, 6.5, bar_length_m=8.0, elongation_m=0.6))
+    wall = wall_of(Hold("tie", h_m=6.5, out_kn_m=4.0, bar_length_m=8.0, elongation_m=0.6))
     _, _, found = found_of(wall, 0.25)
     (one,) = bar_histories(wall, found)
     assert set(one.phase) == {SLACK, TAUT, YIELDING}
@@ -41,7 +41,7 @@ def test_that_a_bar_is_taut_yields_turns_back_and_is_slack():
 
 
 def test_that_what_the_ground_gives_is_what_bars_and_impacts_take():
-    wall = wall_of(Load("tie", 4.0, 6.5, bar_length_m=8.0, elongation_m=0.6))
+    wall = wall_of(Hold("tie", h_m=6.5, out_kn_m=4.0, bar_length_m=8.0, elongation_m=0.6))
     ground, model, found = found_of(wall, 0.25)
     assert found.rotation[-1] < 1e-4
     inertia = 18e3 * 7.0 * 0.83 * wall.block().radius / model.p2
@@ -53,7 +53,7 @@ def test_that_what_the_ground_gives_is_what_bars_and_impacts_take():
 
 
 def test_that_a_broken_bar_has_taken_what_it_could():
-    wall = wall_of(Load("tie", 8.0, 6.5, bar_length_m=8.0, elongation_m=0.30))
+    wall = wall_of(Hold("tie", h_m=6.5, out_kn_m=8.0, bar_length_m=8.0, elongation_m=0.30))
     _, _, found = found_of(wall, 0.30, 1.5)
     (one,) = bar_histories(wall, found)
     assert one.phase[-1] == BROKEN and one.force[-1] == 0.0 and np.isnan(one.residual[-1])

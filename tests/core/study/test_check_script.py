@@ -44,12 +44,12 @@ def run(script: str, capsys) -> tuple[int, str]:
 
 WALL = {"height_m": 3.0, "thickness_m": 0.4}
 LOAD = {"kind": "vertical", "kn_m": 6.0, "d_m": 0.15, "h_m": 2.9, "mass": "horizontal"}
-TIE = {"kind": "tie", "kn_m": 2.0, "h_m": 2.8, "bar_length_m": 6.0, "elongation_m": 0.02, "prestress": 0.3}
+TIE = {"kind": "tie", "out_kn_m": 2.0, "h_m": 2.8, "bar_length_m": 6.0, "elongation_m": 0.02, "prestress": 0.3}
 KINDS = {
     "trilinear": {**WALL, "mechanism": "two_sided", "law": "al_shawa"},
     "two unlike sides": {**WALL, "mechanism": "two_sided", "load": [LOAD]},
     "Eq. 7": {**WALL, "mechanism": "one_sided", "restitution": "one_sided_experimental"},
-    "a tie that yields": {**WALL, "mechanism": "one_sided", "load": [LOAD, TIE]},
+    "a tie that yields": {**WALL, "mechanism": "one_sided", "load": [LOAD], "hold": [TIE]},
     "an elastic branch": {**WALL, "mechanism": "one_sided", "law": "elastic", "elastic_modulus_mpa": 500.0},
 }
 
@@ -111,8 +111,9 @@ def drawn(chance) -> dict:
         case 3:
             slack = {"slack_mm": float(chance.choice([0.0, 5.0]))}
             more = {"bar_length_m": 8.0, "elongation_m": float(chance.choice([0.02, 0.4])), **slack}
-            tie = {name: value for name, value in load("tie", 4.0, **more).items() if name != "d_m"}
-            wall |= {"load": [load("vertical", 9.0, mass="none"), tie], "mechanism": "one_sided"}
+            of_load = load("tie", 4.0, **more)
+            tie = {"out_kn_m": of_load.pop("kn_m"), **{key: value for key, value in of_load.items() if key != "d_m"}}
+            wall |= {"load": [load("vertical", 9.0, mass="none")], "hold": [tie], "mechanism": "one_sided"}
         case 4:
             wall["gable_m"] = round(0.3 * height, 3)
         case 5:

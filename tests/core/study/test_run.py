@@ -22,6 +22,7 @@ from core.units import CM, G
 from tests.conftest import ROOT
 from tests.core.report import whole_workbook
 from tests.core.study.cases import case
+from tests.holds import sought
 
 
 def run(asked, journal=None, **named):
@@ -133,7 +134,7 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
     spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
     asked = case(
         wall=[
-            {**wall, "name": "t", "base_z_m": 0.0, "tie_height_m": 2.8, "free_element": True},
+            {**wall, "name": "t", "base_z_m": 0.0, "hold": [sought(2.8)], "free_element": True},
             {**wall, "name": "high", "base_z_m": 3.0},
         ],
         building={"height_m": 9.0, "storeys": 3, "period_s": 0.3},

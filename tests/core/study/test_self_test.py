@@ -65,10 +65,10 @@ def test_that_a_kernel_that_takes_another_loss_at_an_impact_is_seen(monkeypatch)
 
 def test_that_a_start_is_told_the_order_whose_kernels_its_first_wall_needs():
     wall = {"name": "w", "height_m": 3.0, "thickness_m": 0.4, "mechanism": "one_sided", "unit_weight_kn_m3": 18.0}
-    tie = {"kind": "tie", "kn_m": 2.0, "h_m": 2.8, "bar_length_m": 6.0}
+    tie = {"kind": "tie", "out_kn_m": 2.0, "h_m": 2.8, "bar_length_m": 6.0}
     plain, tied = (
         make_rocking_model(parse_case({"wall": [{**wall, **more}]}).wall[0], "one_sided")
-        for more in ({}, {"load": [tie]})
+        for more in ({}, {"hold": [tie]})
     )
     assert self_test.find_kernel_order(AUTO, plain, 0.01) == ("taylor",)
     assert self_test.find_kernel_order(AUTO, plain, 0.001) == ("taylor_6",)

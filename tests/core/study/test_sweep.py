@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.reader import read_case
 from core.case.rules import parse_case
@@ -66,9 +67,10 @@ def test_that_a_refused_value_is_named_and_the_others_have_numbers(case):
 
 
 def test_that_one_way_to_give_a_size_replaces_the_other_and_no_tie_is_sought(case):
-    by_angle = replace(case.wall[0], thickness_m=None, slenderness_deg=6.0, tie_height_m=3.0)
+    tie = Hold("tie", h_m=3.0, design=True)
+    by_angle = replace(case.wall[0], thickness_m=None, slenderness_deg=6.0, hold=(*case.wall[0].hold, tie))
     changed = set_swept_value(replace(case, wall=(by_angle,)), 0, THICKNESS, 0.5).wall[0]
-    assert (changed.thickness_m, changed.slenderness_deg, changed.tie_height_m) == (0.5, None, None)
+    assert (changed.thickness_m, changed.slenderness_deg, changed.sought) == (0.5, None, None)
 
 
 @pytest.mark.parametrize("name", ["building.toml", "verdict.toml", "example.toml"])

@@ -12,7 +12,14 @@ from tests.clauses_alone import parse_case
 from tests.validation.test_loaded_walls import DEMAND, ROOF, TIE, WALL
 
 BEFORE = {**WALL, "name": "facade", "variant": "stato di fatto", "load": [ROOF]}
-AFTER = {**WALL, "name": "facade", "variant": "progetto", "load": [ROOF, {**TIE, "kn_m": 2.0}], "thickness_m": 0.40}
+AFTER = {
+    **WALL,
+    "name": "facade",
+    "variant": "progetto",
+    "load": [ROOF],
+    "hold": [{**TIE, "out_kn_m": 2.0}],
+    "thickness_m": 0.40,
+}
 
 
 @pytest.mark.shows("case.variant")
@@ -22,7 +29,7 @@ def test_that_two_walls_of_one_name_are_compared_and_what_changed_is_named():
     result = study.run(parse_case(table), base_dir=Path())
     (pair,) = compare_results(result.walls)
     assert pair.name == "facade" and pair.before.name == "facade (stato di fatto)"
-    assert pair.changed == ("thickness_m", "load")
+    assert pair.changed == ("thickness_m", "hold")
     alone = study.run(parse_case({**table, "wall": [AFTER]}), base_dir=Path()).walls[0]
     assert pair.after.assessment == alone.assessment
     (written,) = json_report.results(result)["variants"]

@@ -10,6 +10,7 @@ from core.report import json_report
 from core.study.run import run
 from core.study.wall_verdict import wall_severity, wall_verdicts
 from tests.conftest import ROOT
+from tests.holds import aside
 
 WALL = {
     "name": "facade",
@@ -101,11 +102,11 @@ def test_that_without_a_building_the_heights_left_out_are_named():
     alone = made({**loads, "hinge_heights": "base"})
     said = alone.walls[0].required_assessment.verdict
     assert alone.verdicts[0].extra == () and said.limits[0].code == "hinges_as_asked" and said.blocking
-    reasons = {"justification": {"hinge_heights": "ring beam of 2019, drawing 4"}}
-    (alone,) = made({**loads, **reasons, "hinge_heights": "base"}).verdicts
-    assert [one.code for one in alone.extra] == ["hinges_as_asked"]
+    shown = {"set_aside": [aside("overturning")]}
+    (alone,) = made({**loads, **shown, "hinge_heights": "base"}).verdicts
+    assert [one.code for one in alone.extra] == ["hinges_set_aside"]
     assert made(loads).verdicts[0].extra == ()
-    (some,) = made({**loads, **reasons, "hinge_heights": [5.0]}).verdicts
+    (some,) = made({**loads, **shown, "hinge_heights": [5.0]}).verdicts
     assert "base is checked" not in some.extra[0].text("en") and "5 m" not in some.extra[0].text("en")
 
 

@@ -17,6 +17,11 @@ LIFTING = re.compile(
 """Inputs that lift zeta, and what is left out, in the English of a sentence; the Italian says the same."""
 
 STATES = {
+    "directions_tie",
+    "old_column",
+    "tie_sought",
+    "tie_sought_low",
+    "two_sought",
     "arch_bar",
     "ends_fail",
     "hold_not_counted",
@@ -82,7 +87,6 @@ STATES = {
     "tie_design_needs",
     "tie_needs_length",
     "tie_size_or_bar",
-    "tie_two_elongations",
 }
 """They say what is the case, or what is accepted, and advise nothing that lifts zeta."""
 
@@ -112,10 +116,8 @@ LOWERS = {
     "to_not_compatible",
     "two_hazards",
     "load_mass_refused",
-    "key_of_a_tie",
     "tie_accuracy",
     "unlike_accuracy",
-    "tie_at_outer_face",
     "tie_bar_says",
     "tie_elongation_below_yield",
     "ties_displacement",
@@ -142,6 +144,8 @@ CONDITION = {
     "strengthen": "check it again",
     "two_sided_loads_rigid": "assume a restraint behind",
     "tie_needs_rigid_law": "may overturn later",
+    "to_set_aside": "each with a document",
+    "to_set_aside_stretch": "with a document",
 }
 """They name such an input together with what it takes: code -> words of it."""
 

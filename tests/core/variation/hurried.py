@@ -33,7 +33,7 @@ PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_
 PARAPET |= {"unit_weight_kn_m3": 18.0, "unloaded_confirmed": True}
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 FLOOR = {"kind": "vertical", "kn_m": 40.0, "d_m": 0.225, "h_m": 5.0, "mass": "moving"}
-TIE = {"kind": "tie", "kn_m": 0.3, "h_m": 4.8, "bar_length_m": 9.0}
+TIE = {"kind": "tie", "out_kn_m": 0.3, "h_m": 4.8, "bar_length_m": 9.0}
 LIFE = {"nominal_life_years": 50, "use_class_factor": 1.0, "hazard": HAZARD}
 
 BASES = {
@@ -41,7 +41,7 @@ BASES = {
     "at a site": {"wall": [FACADE | BARE], "demand": {"ag_g": 0.12, "spectrum": NTC} | LIFE},
     "parapet": {"wall": [PARAPET], "building": BUILDING, "demand": {"ag_g": 0.07, "spectrum": NTC}},
     "loaded": {"wall": [FACADE | {"load": [FLOOR]}], "demand": {"ag_g": 0.115, "spectrum": NTC}},
-    "tied": {"wall": [FACADE | {"load": [TIE]}], "demand": {"ag_g": 0.115, "spectrum": NTC}},
+    "tied": {"wall": [FACADE | BARE | {"hold": [*FACADE["hold"], TIE]}], "demand": {"ag_g": 0.115, "spectrum": NTC}},
 }
 """Cases each of which falls a little short of its demand."""
 
@@ -64,7 +64,7 @@ FILES = {
 LC3 = {"demand.confidence_factor": 1.0, "demand.knowledge_level": "LC3", "demand.investigations": "three flat jacks"}
 LINEAR = {"demand.spectrum": DROP}
 EUROPEAN = {"code": "EN1998", "type": 2, "soil": "A"}
-WALL, LOAD, SPECTRUM = "wall.0.", "wall.0.load.0.", "demand.spectrum."
+WALL, LOAD, HOLD, SPECTRUM = "wall.0.", "wall.0.load.0.", "wall.0.hold.1.", "demand.spectrum."
 MOTIONS = [{"file": str(ROOT / "tests" / "motions" / f"noise_{k}.txt"), "kind": "artificial"} for k in range(1, 8)]
 
 
@@ -175,15 +175,14 @@ def _ways():
         ({"prestress": 0.8}, "prestress anchorage_kn elongation_m"),
         ({"bar_length_m": 0.3}, "anchorage_kn elongation_m"),
         ({"fy_mpa": 1400.0}, "anchorage_kn elongation_m"),
-        ({"kn_m": 40.0}, ""),
+        ({"out_kn_m": 40.0}, ""),
     ):
         name = ", ".join(f"{key} {value}" for key, value in change.items())
-        yield Way(
-            f"a tie with {name}", "tied", {LOAD + key: value for key, value in ({"kn_m": 2.2} | change).items()}, told
-        )
-    bar = {WALL + "length_m": 5.0, LOAD + "kn_m": DROP, LOAD + "bar": {"number": 1, "diameter_mm": 8.0}}
+        of_tie = {HOLD + key: value for key, value in ({"out_kn_m": 2.2} | change).items()}
+        yield Way(f"a tie with {name}", "tied", of_tie, told)
+    bar = {WALL + "length_m": 5.0, HOLD + "out_kn_m": DROP, HOLD + "bar": {"number": 1, "diameter_mm": 8.0}}
     yield Way("a bar without a word of its anchorage", "tied", bar, "anchorage_kn elongation_m")
-    held = bar | {LOAD + "bar": {"number": 1, "diameter_mm": 8.0, "anchorage_kn": 9000.0}, LOAD + "elongation": 0.1}
+    held = bar | {HOLD + "bar": {"number": 1, "diameter_mm": 8.0, "anchorage_kn": 9000.0}, HOLD + "elongation_m": 0.9}
     yield Way("a bar with an anchorage of 9 MN", "tied", held, "elongation_m")
     for key, value, told in (
         ("storeys", 1, "storeys"),
@@ -231,8 +230,9 @@ def _ways_past_a_row():
     thick = unsaid | {WALL + "thickness_m": 0.65}
     yield Way("no evidence, no histories", "facade", thick | {"analysis": {"histories": False}}, "hold")
     yield Way("no evidence, no spectrum", "facade", thick | LINEAR | {"demand.soil_factor": 1.5}, "hold")
-    wire = {"kind": "tie", "kn_m": 0.01, "h_m": 5.0, "bar_length_m": 5.0}
-    leans = thick | bare | {WALL + "out_of_plumb_m": 0.001, WALL + "length_m": 5.0, WALL + "load": [wire]}
+    wire = {"kind": "tie", "out_kn_m": 0.01, "h_m": 5.0, "bar_length_m": 5.0}
+    leans = thick | {WALL + "out_of_plumb_m": 0.001, WALL + "length_m": 5.0}
+    leans |= {WALL + "hold": [*between(evidence=""), wire]}
     yield Way("no evidence, a tie of 10 N and a lean of 1 mm", "facade", leans, "hold")
     wedges = {"number": 2, "thickness_m": 1.0, "length_at_top_m": 3.0}
     behind = unsaid | {WALL + "length_m": 5.0, WALL + "return_wedges": wedges}

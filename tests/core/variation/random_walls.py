@@ -5,6 +5,7 @@ import random
 from core.case.rules import parse_case
 from core.case.schema import Case
 from core.errors import InputError
+from tests.holds import carries
 
 HAZARD = [
     {"return_period_years": 30.0, "ag_g": 0.3, "f0": 2.40, "tc_star_s": 0.28},
@@ -30,10 +31,11 @@ def _loads(draw: random.Random, height: float, thickness: float) -> list[dict]:
 
 
 def _tie(draw: random.Random, height: float) -> dict:
-    tie = {"kind": "tie", "kn_m": round(draw.uniform(0.3, 8.0), 2), "h_m": round(height * draw.uniform(0.6, 0.98), 2)}
-    tie["bar_length_m"] = round(draw.uniform(4.0, 12.0), 1)
+    strength, at = round(draw.uniform(0.3, 8.0), 2), round(height * draw.uniform(0.6, 0.98), 2)
+    length = round(draw.uniform(4.0, 12.0), 1)
+    tie = {"kind": "tie", "out_kn_m": strength, "h_m": at, "bar_length_m": length}
     if draw.random() < 0.7:
-        tie["elongation"] = round(draw.uniform(0.005, 0.06), 3)
+        tie["elongation_m"] = round(draw.uniform(0.005, 0.06), 3) * length
     if draw.random() < 0.2:
         tie["slack_mm"] = round(draw.uniform(1.0, 10.0), 1)
     return tie
@@ -49,10 +51,7 @@ def _wall(draw: random.Random, mechanism: str) -> dict:
     loads = _loads(draw, height, thickness)
     if mechanism == "one_sided" and draw.random() < 0.35:
         loads.append(_tie(draw, height))
-    if loads:
-        wall["load"] = loads
-    else:
-        wall["unloaded_confirmed"] = True
+    wall = carries(*loads, **wall)
     if draw.random() < 0.4:
         wall["elastic_modulus_mpa"] = round(draw.uniform(500.0, 3000.0), 0)
         if draw.random() < 0.4:

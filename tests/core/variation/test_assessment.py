@@ -14,9 +14,9 @@ from core.variation import assessment
 from core.variation.assessment import assess
 from core.variation.evaluate import evaluate
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
-from tests.holds import behind
+from tests.holds import behind, carries
 
-TIE = {"kind": "tie", "kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
+TIE = {"kind": "tie", "out_kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
 SPECTRUM = {"ag_g": 0.1, "spectrum": NTC}
 HELD = {"name": "v", "height_m": 3.5, "thickness_m": 0.15, "mechanism": "vertical_bending", "base_z_m": 0.0}
 HELD |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}]}
@@ -123,11 +123,11 @@ def test_that_a_real_wall_grows_with_its_thickness():
     [(1.20, 1.21, True), (1.20, 1.204, False), (1.196, 1.204, False), (1.20, 1.1, False), (1.2, None, False)],
 )
 def test_that_histories_say_zeta_without_the_ties_where_it_is_larger_in_two_digits(monkeypatch, tied, bare, said):
-    scene = with_histories(scene_of(BARE | {"load": [TIE]}), lambda *_: history(tied))
+    scene = with_histories(scene_of(carries(TIE, **BARE)), lambda *_: history(tied))
     asked = []
 
     def without(scene, **_):
-        asked.append(scene.wall.load)
+        asked.append(scene.wall.ties)
         return history(bare)
 
     monkeypatch.setattr(assessment, "check_by_histories", without)
@@ -140,28 +140,28 @@ def test_that_histories_say_zeta_without_the_ties_where_it_is_larger_in_two_digi
 def test_that_no_zeta_without_ties_is_asked_of_a_wall_without_ties_or_whose_histories_have_no_number(monkeypatch):
     monkeypatch.setattr(assessment, "check_by_histories", lambda *_, **__: pytest.fail("asked"))
     assert "ties_histories" not in limits(assess(judged(1.2)))
-    assert "ties_histories" not in limits(assess(judged(None, BARE | {"load": [TIE]}, passed=False)))
-    assert "ties_histories" not in limits(assess(scene_of(BARE | {"load": [TIE]})))
+    assert "ties_histories" not in limits(assess(judged(None, carries(TIE, **BARE), passed=False)))
+    assert "ties_histories" not in limits(assess(scene_of(carries(TIE, **BARE))))
     monkeypatch.setattr(assessment, "check_by_histories", lambda *_, **__: None)
-    assert "ties_histories" not in limits(assess(judged(1.2, BARE | {"load": [TIE]})))
+    assert "ties_histories" not in limits(assess(judged(1.2, carries(TIE, **BARE))))
 
 
 def test_that_a_tie_that_breaks_early_is_said_with_both_zeta_of_the_displacement_check():
-    found = assess(scene_of(BARE | {"load": [TIE]}, SPECTRUM))
+    found = assess(scene_of(carries(TIE, **BARE), SPECTRUM))
     said = limits(found)["ties_displacement"]
     bare = assess(scene_of(WALL, SPECTRUM)).checks[0]
     assert said["bare"].value == pytest.approx(bare.zeta) and said["tied"].value < bare.zeta
     long = TIE | {"elongation_m": 1.0}
-    held = assess(scene_of(BARE | {"load": [long]}, SPECTRUM))
+    held = assess(scene_of(carries(long, **BARE), SPECTRUM))
     assert held.checks[0].zeta > bare.zeta and "ties_displacement" not in limits(held)
     assert "ties_displacement" not in limits(assess(scene_of(WALL, SPECTRUM)))
 
 
 def test_that_a_tie_with_slack_is_said_not_to_be_counted_by_the_checks_of_the_clauses():
-    for load, said in ((TIE | {"slack_mm": 5.0}, True), (TIE | {"slack_mm": 0.0}, False), (TIE, False)):
+    for tie, said in ((TIE | {"slack_mm": 5.0}, True), (TIE | {"slack_mm": 0.0}, False), (TIE, False)):
         for demand in (SOIL, SPECTRUM):
-            assert ("slack_not_counted" in limits(assess(scene_of(BARE | {"load": [load]}, demand)))) == said
-    slack = BARE | {"load": [TIE | {"slack_mm": 5.0}]}
+            assert ("slack_not_counted" in limits(assess(scene_of(carries(tie, **BARE), demand)))) == said
+    slack = carries(TIE | {"slack_mm": 5.0}, **BARE)
     # at SLC without a spectrum the histories stand alone
     alone = judged(1.5, slack, SOIL | {"limit_state": "SLC"})
     assert [check.name for check in assess(alone).checks] == ["dynamic"]
@@ -172,18 +172,18 @@ def test_that_a_tie_with_slack_is_said_not_to_be_counted_by_the_checks_of_the_cl
 @pytest.mark.shows("kinematic.ties_at_sld")
 def test_that_at_sld_the_zeta_with_the_ties_is_shown_beside_the_one_without():
     """By hand, W 28.8 kN/m, a tie of 0.5 kN/m at 3.6 m within its yield: alpha = (2.88 + 1.8) / 57.6."""
-    tie = TIE | {"kn_m": 0.5, "h_m": 3.6}
-    found = assess(scene_of(BARE | {"load": [tie]}, SOIL | {"limit_state": "SLD"}))
+    tie = TIE | {"out_kn_m": 0.5, "h_m": 3.6}
+    found = assess(scene_of(carries(tie, **BARE), SOIL | {"limit_state": "SLD"}))
     assert found.checks[0].zeta == pytest.approx(0.05 / (1.35 * 0.1))
     said = limits(found)
     assert said["ties_at_sld"]["zeta"].value == pytest.approx((2.88 + 1.8) / 57.6 / (1.35 * 0.1))
     mass = {"kind": "vertical", "kn_m": 9.0, "d_m": 0.2, "h_m": 4.0, "mass": "horizontal"}
-    both = assess(scene_of(BARE | {"load": [tie, mass]}, SOIL | {"limit_state": "SLD"}))
+    both = assess(scene_of(carries(tie, mass, **BARE), SOIL | {"limit_state": "SLD"}))
     # (28.8 + 9) x 0.1 + 1.8 over 28.8 x 2 + 9 x 4; e* = 93.6^2 / (37.8 x (28.8 x 4 + 9 x 16))
     alpha, share = (3.78 + 1.8) / 93.6, 93.6**2 / (37.8 * 259.2)
     assert limits(both)["ties_at_sld"]["zeta"].value == pytest.approx(alpha / share / (1.35 * 0.1))
     assert "ties_at_sld" not in limits(assess(scene_of(WALL, SOIL | {"limit_state": "SLD"})))
-    assert "ties_at_sld" not in limits(assess(scene_of(BARE | {"load": [tie]})))
+    assert "ties_at_sld" not in limits(assess(scene_of(carries(tie, **BARE))))
 
 
 # life and records

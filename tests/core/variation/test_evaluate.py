@@ -18,8 +18,9 @@ from core.variation.evaluate import (
     evaluate,
 )
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
+from tests.holds import carries
 
-TIE = {"kind": "tie", "kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
+TIE = {"kind": "tie", "out_kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
 
 
 def judged(zeta=1.3, wall=WALL, demand=SOIL, by_default=False, **values):
@@ -127,12 +128,12 @@ def test_that_a_wall_that_falls_by_itself_is_refused_with_its_threshold():
 
 
 @pytest.mark.parametrize(
-    "load", [[], [TIE], [{"kind": "vertical", "kn_m": 9.0, "d_m": 0.2, "h_m": 4.0, "mass": "horizontal"}]]
+    "given", [[], [TIE], [{"kind": "vertical", "kn_m": 9.0, "d_m": 0.2, "h_m": 4.0, "mass": "horizontal"}]]
 )
-def test_that_q_of_the_searches_multiplies_what_uplifts_the_wall_without_its_ties(load):
+def test_that_q_of_the_searches_multiplies_what_uplifts_the_wall_without_its_ties(given):
     """zeta = q alpha_0 g / (FC a_g S): neither e* nor what a tie adds counts, alpha_0 by hand (C8.7.1.1)."""
-    scene = scene_of(BARE | ({"load": load} if load else {"unloaded_confirmed": True}))
-    alpha = 0.05 if not load or load[0]["kind"] == "tie" else (28.8 + 9.0) * 0.1 / (28.8 * 2.0 + 9.0 * 4.0)
+    scene = scene_of(carries(*given, **BARE))
+    alpha = 0.05 if not given or given[0]["kind"] == "tie" else (28.8 + 9.0) * 0.1 / (28.8 * 2.0 + 9.0 * 4.0)
     found = evaluate(scene.replace_parts(q_slv=(1.5, 1.8))).made("linear_q_slv")
     assert found.zeta == pytest.approx(1.5 * alpha / (1.35 * 0.1))
     assert evaluate(scene).made("linear_q_slv") is None
@@ -244,10 +245,7 @@ def test_that_histories_are_of_the_model_as_it_is_where_it_has_no_branch_and_non
         ({}, ""),
         ({"law": "rigid"}, ""),
         ({"height_m": 4.0, "elastic_modulus_mpa": 20.0}, "does_not_rock"),
-        (
-            {"mechanism": "one_sided", "free_element": True, "unloaded_confirmed": False, "load": [TIE | {"h_m": 1.0}]},
-            "rigid_free",
-        ),
+        ({"mechanism": "one_sided", "free_element": True, "hold": [TIE | {"h_m": 1.0}]}, "rigid_free"),
     ],
 )
 def test_that_histories_of_a_free_element_without_a_branch_say_why(change, unbranched):

@@ -13,6 +13,7 @@ from core.variation import favourable_wall_inputs
 from core.variation.evaluate import evaluate
 from core.variation.favourable_wall_inputs import favourable_inputs
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
+from tests.holds import carries
 
 SPECTRUM = {"ag_g": 0.05, "spectrum": NTC}
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 0.0}
@@ -73,7 +74,8 @@ def test_that_a_model_of_tests_is_shown_by_theory_and_one_by_theory_or_without_h
 
 def test_that_a_bar_that_breaks_is_left_out_of_the_clauses_alone_where_histories_are_made():
     """They follow its breaking; at 4 m and the rotation the clauses count on it stretches by 8 cm."""
-    tied = BARE | {"load": [{"kind": "tie", "kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0, "elongation_m": 0.02}]}
+    tie = {"kind": "tie", "out_kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0, "elongation_m": 0.02}
+    tied = carries(tie, **BARE)
     assert not rows_of(tied, zeta=1.2)[0]["lift_brittle"].histories
     assert rows_of(tied)[0]["lift_brittle"].histories
 
@@ -256,8 +258,8 @@ def test_that_a_rigid_law_of_a_free_element_that_passes_is_shown_with_its_branch
     assert wall_at(rows["lift_rigid"], scene).law == "elastic" and rows["lift_rigid"].value.code == "choice_rigid"
     for wall, zeta in ((rigid, 0.9), (PARAPET, 1.2), (WALL | {"law": "rigid"}, 1.2)):
         assert "lift_rigid" not in rows_of(wall, zeta=zeta, passed=zeta > 1.0)[0]
-    tied = WALL | {"law": "rigid", "free_element": True, "unloaded_confirmed": None}
-    tied["load"] = [{"kind": "tie", "kn_m": 0.5, "h_m": 4.0, "bar_length_m": 6.0}]
+    tie = {"kind": "tie", "out_kn_m": 0.5, "h_m": 4.0, "bar_length_m": 6.0}
+    tied = carries(tie, **BARE | {"law": "rigid", "free_element": True})
     assert "lift_rigid" not in rows_of(tied, zeta=1.2)[0]
 
 

@@ -16,14 +16,12 @@ from core.variation.wall_evaluation import evaluate_wall, make_wall_context
 from tests.clauses_alone import parse_case
 from tests.core.variation.test_sensitivity import CASES, LOADED, case_of, moved
 
-TIED = {
-    **LOADED,
-    "load": [*LOADED["load"], {"kind": "tie", "kn_m": 4.0, "h_m": 5.0, "bar_length_m": 6.0, "elongation_m": 0.3}],
-}
+TIE = {"kind": "tie", "out_kn_m": 4.0, "h_m": 5.0, "bar_length_m": 6.0, "elongation_m": 0.3}
+TIED = LOADED | {"hold": [*LOADED["hold"], TIE]}
 PLACES = {
     "thickness_m": ("wall", 0, "thickness_m"),
     "ag_g": ("demand", "ag_g"),
-    "tie_kn_m": ("wall", 0, "load", 1, "kn_m"),
+    "tie_kn_m": ("wall", 0, "hold", 1, "out_kn_m"),
 }
 
 
@@ -204,8 +202,8 @@ def test_that_histories_hold_a_little_beyond_and_surely_in_the_run(found_where):
 
 def test_that_loads_are_moved_where_something_but_a_tie_acts():
     assert slider_keys(setting(case_of(LOADED)))["load_factor"] == 1.0
-    tie = {**LOADED, "load": TIED["load"][1:]}
-    keys = slider_keys(setting(case_of(tie)))
+    tied = {key: value for key, value in TIED.items() if key != "load"}
+    keys = slider_keys(setting(case_of(tied)))
     assert "load_factor" not in keys and keys["tie_kn_m"] == 4.0 and keys["height_m"] == 6.0
 
 

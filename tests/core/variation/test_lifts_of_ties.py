@@ -7,6 +7,7 @@ from core.study.run import run
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.variation.test_assumptions import lift
+from tests.holds import carries
 
 WALL = {
     "name": "w",
@@ -20,13 +21,13 @@ WALL = {
     "hinge_heights": "base",
 }
 DEMAND = {"ag_g": 0.14, "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.35, "soil": "B", "topography": "T1"}}
-TIE = {"kind": "tie", "h_m": 2.9, "kn_m": 0.9, "bar_length_m": 6.0}
+TIE = {"kind": "tie", "h_m": 2.9, "out_kn_m": 0.9, "bar_length_m": 6.0}
 LONG = {**TIE, "elongation_m": 0.3}
 BAR = {"number": 1, "diameter_mm": 6.0, "thread_mm": 8.0}
 
 
 def found_of(*loads, records=False, demand=None, **wall):
-    own = {**WALL, **wall, **({"load": list(loads)} if loads else {"unloaded_confirmed": True})}
+    own = carries(*loads, **WALL | wall)
     table = {"wall": [own], "demand": {**DEMAND, **(demand or {})}, "analysis": {"q_step": 0.05}}
     if records:
         table["generate"] = {"scatter": 0.0, "count": 3, "seed": 1}
@@ -70,7 +71,7 @@ def test_that_slack_that_lifts_zeta_of_the_histories_is_shown_without_it_and_wit
 
 @pytest.mark.parametrize("slack", [0.1, 20.0])
 def test_that_slack_makes_no_tie_weaker_than_the_wall_can_take(slack):
-    strong = {**LONG, "kn_m": 500.0, "slack_mm": slack}
+    strong = {**LONG, "out_kn_m": 500.0, "slack_mm": slack}
     with pytest.raises(InputError) as refused:
         found_of(strong)
     assert refused.value.code == "tie_too_strong"
@@ -81,7 +82,7 @@ def test_that_slack_makes_no_tie_weaker_than_the_wall_can_take(slack):
 def test_that_a_tie_that_breaks_before_the_displacement_counted_on_is_named(BARE, more):
     """It yields at 6.88 mm; 0.40 theta_c stretches it by 96 mm. A further tie that holds out changes nothing."""
     given = reasons(elongation_m="", anchorage_kn="calculation 7")
-    for others in ((), ({**LONG, "kn_m": 0.01},)):
+    for others in ((), ({**LONG, "out_kn_m": 0.01},)):
         found = found_of({**TIE, **more}, *others, **given)
         q = next(check for check in found.checks if check.name == "linear_q_code")
         assert lift(found, "lift_brittle")["zeta"].value < q.zeta
@@ -94,7 +95,7 @@ def test_that_a_tie_that_breaks_before_the_displacement_counted_on_is_named(BARE
 
 @pytest.mark.shows("verdict.q_2_alone")
 def test_that_a_tie_that_breaks_does_not_make_q_2_agree_with_the_histories():
-    tie, demand = {**TIE, "kn_m": 0.9}, {"ag_g": 0.12}
+    tie, demand = {**TIE, "out_kn_m": 0.9}, {"ag_g": 0.12}
     given = reasons(anchorage_kn="calculation 7")
     found, bare = found_of(tie, records=True, demand=demand, **given), found_of(records=True, demand=demand)
     assert zeta(found, "linear_q_code") > 1.0 > zeta(bare, "linear_q_code")
@@ -104,7 +105,7 @@ def test_that_a_tie_that_breaks_does_not_make_q_2_agree_with_the_histories():
 
 def test_that_alpha_0_counts_ties_where_they_act_together():
     """One tie is gone before the other pulls: alpha_0 is that of the stronger alone."""
-    early, late = {**TIE, "kn_m": 0.4, "bar_length_m": 1.0}, {**TIE, "kn_m": 0.4, "bar_length_m": 30.0}
+    early, late = {**TIE, "out_kn_m": 0.4, "bar_length_m": 1.0}, {**TIE, "out_kn_m": 0.4, "bar_length_m": 30.0}
     alone = [found_of(tie).kinematic.alpha0 for tie in (early, late)]
     both = found_of(early, late).kinematic.alpha0
     added = sum(alone) - found_of().kinematic.alpha0
@@ -128,7 +129,7 @@ def test_that_no_tie_is_counted_at_sld_and_the_other_reading_is_shown(BARE):
 @pytest.mark.shows("lifts.anchorage")
 def test_that_the_anchorage_of_a_tie_is_named_until_something_shows_that_it_holds(BARE):
     given = reasons(elongation_m="S 235, certificate 3")
-    by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation": 0.05}
+    by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation_m": 0.3}
     found = found_of(LONG, **given)
     assert lift(found, "lift_anchorage")["zeta"].value == pytest.approx(zeta(BARE))
     assert found.verdict.code == "indicative" and found.verdict.zeta_e > 1.0
@@ -147,19 +148,20 @@ def test_that_two_reasons_of_the_loads_change_the_wall_together():
     from core.rocking.methods import AUTO
     from core.setting.check_input import CheckInput
     from core.setting.demand_input import read_demand
-    from core.variation.favourable_loads import _of_ties, _without
+    from core.variation.favourable_loads import _drop_ties, _of_ties
 
-    wall = parse_case({"wall": [{**WALL, "load": [LONG, {**TIE, "kn_m": 0.05}]}], "demand": DEMAND}).wall[0]
+    wall = parse_case({"wall": [carries(LONG, {**TIE, "out_kn_m": 0.05}, **WALL)], "demand": DEMAND}).wall[0]
     demand = read_demand(parse_case({"wall": [WALL | {"unloaded_confirmed": True}], "demand": DEMAND}), ROOT)
     scene = CheckInput(wall, "one_sided", demand, None, None, None, (), None, "both", AUTO, False, False, False)
-    both = _of_ties(elongation_m=None)(_without(lambda _, load: load.kn_m == 0.05)(scene)).wall.load
-    assert [(load.kn_m, load.elongation_m) for load in both] == [(0.9, None)]
+    both = _of_ties(elongation_m=None)(_drop_ties(lambda tie: tie.out_kn_m == 0.05)(scene)).wall
+    assert [(tie.out_kn_m, tie.elongation_m) for tie in both.ties] == [(0.9, None)]
+    assert both.restraints == wall.restraints
 
 
 @pytest.mark.long
 def test_that_every_reason_reads_in_both_languages(fine):
-    by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation": 0.05, "bar": BAR}
-    slack, drawn = {**LONG, "kn_m": 0.1, "slack_mm": 2.0}, {**TIE, "kn_m": 0.1, "prestress": 0.5}
+    by_bar = {"kind": "tie", "h_m": 2.9, "bar_length_m": 6.0, "elongation_m": 0.3, "bar": BAR}
+    slack, drawn = {**LONG, "out_kn_m": 0.1, "slack_mm": 2.0}, {**TIE, "out_kn_m": 0.1, "prestress": 0.5}
     loads = by_bar, slack, drawn, {"kind": "thrust", "h_m": 2.0, "kn_m": -0.1}
     said = set()
     for records, state in ((False, "SLV"), (True, "SLV"), (False, "SLD")):

@@ -19,17 +19,22 @@ from core.report.workbook import WorkbookReport
 from core.study.run import run
 from tests.clauses_alone import parse_case
 from tests.core.variation.random_walls import random_tables
-from tests.holds import behind
+from tests.holds import behind, sought
 
 CASES = Path(__file__).parent
 
 
+def ties_of(wall):
+    """The ties of a wall among its holds, those that are sought too."""
+    return [hold for hold in wall.get("hold", ()) if hold["kind"] == "tie"]
+
+
 def made(table):
-    """The result of a table, None of a wall that a rule refuses once its loads are known; what holds a wall is shown,
-    without which no hinge passes by clauses alone."""
+    """The result of a table, None of a wall that a rule refuses once its loads are known; what holds a wall but its
+    ties is shown, without which no hinge passes by clauses alone."""
     for wall in table["wall"]:
         if wall["mechanism"] != "two_sided":
-            wall |= {"hold": [{"kind": "contact", "evidence": {"kind": "drawing"}}]}
+            wall |= {"hold": [*behind("drawing"), *ties_of(wall)]}
     try:
         return run(parse_case(table), base_dir=CASES)
     except InputError:
@@ -78,14 +83,19 @@ LEFT_OUT = ("hold", "unloaded_confirmed", "elastic_modulus_mpa", "length_m")
 
 
 def check_left_out(table) -> int:
-    """A wall with each of LEFT_OUT left out. How many were compared."""
+    """A wall with each of LEFT_OUT left out, of its holds all but its ties. How many were compared."""
     compared, whole = 0, made(table)
     if whole is None:
         return 0
     before = whole.walls[whole.verdicts[0].governing].assessment.verdict
     for key in LEFT_OUT:
         changed = copy.deepcopy(table)
-        if changed["wall"][0].pop(key, None) is None or (bare := made(changed)) is None:
+        wall = changed["wall"][0]
+        left = {"hold": ties_of(wall)} if key == "hold" and ties_of(wall) else {}
+        if wall.pop(key, None) is None:
+            continue
+        wall |= left
+        if (bare := made(changed)) is None:
             continue
         after = bare.walls[bare.verdicts[0].governing].assessment.verdict
         compared += 1
@@ -149,7 +159,7 @@ def test_that_a_limit_state_is_what_its_check_says_and_not_what_zeta_says():
     assert "fails at the demand itself" in said.text("en")
 
 
-TIED = {
+FREE = {
     "name": "w",
     "height_m": 12.5,
     "thickness_m": 1.0,
@@ -157,10 +167,10 @@ TIED = {
     "base_z_m": 0.0,
     "hold": [{"kind": "contact"}],
     "unit_weight_kn_m3": 19.9,
-    "tie_height_m": 11.7,
     "length_m": 6.85,
     "unloaded_confirmed": True,
 }
+TIED = FREE | {"hold": [*FREE["hold"], sought(11.7)]}
 
 
 def test_that_a_tie_whose_histories_need_the_length_of_its_bar_has_no_force():
@@ -183,12 +193,12 @@ def test_that_a_tie_no_refined_check_can_be_made_of_takes_the_force_of_the_linea
 
 def test_that_a_tie_that_breaks_early_does_not_lower_the_displacement_check():
     spectrum = {**SITE["spectrum"], "soil": "B"}
-    wall = {**{k: v for k, v in TIED.items() if not k.startswith("tie_")}, "height_m": 3.0, "thickness_m": 0.25}
-    wall.pop("unloaded_confirmed")
+    wall = FREE | {"height_m": 3.0, "thickness_m": 0.25}
     lowered = 0
     for force in (0.3, 0.5, 0.6, 0.79, 0.9):
-        tie = {"kind": "tie", "h_m": 2.9, "kn_m": force, "bar_length_m": 6.0}
-        found = made({"wall": [{**wall, "load": [tie]}], "demand": {"ag_g": 0.14, "spectrum": spectrum}})
+        tie = {"kind": "tie", "h_m": 2.9, "out_kn_m": force, "bar_length_m": 6.0}
+        table = {"wall": [wall | {"hold": [tie]}], "demand": {"ag_g": 0.14, "spectrum": spectrum}}
+        found = made(table)
         if found is None:  # it bends between tie and base
             continue
         assessment = found.walls[0].assessment
@@ -225,8 +235,7 @@ def test_that_the_sheet_risk_has_each_state_in_its_own_column():
     demand = {"ag_g": 0.2, "spectrum": {**SITE["spectrum"], "soil": "B"}, "return_period_years": 475.0}
     demand |= {"hazard": [dict(zip(keys, row, strict=True)) for row in rows]}
     demand |= {"nominal_life_years": 50.0, "use_class_factor": 1.0}
-    wall = {key: value for key, value in TIED.items() if not key.startswith("tie_")}
-    result = made({"wall": [wall | {"height_m": 6.0, "thickness_m": 0.5}], "demand": demand})
+    result = made({"wall": [FREE | {"height_m": 6.0, "thickness_m": 0.5}], "demand": demand})
     zetas = {state.state: state.zeta for state in result.walls[0].assessment.states}
     assert list(zetas) == ["SLV", "SLC"]
     sheet = load_workbook(io.BytesIO(workbook_bytes(result)))["Risk"]
@@ -258,17 +267,16 @@ def test_that_the_worst_of_many_walls_are_the_worst_outcomes():
 
 def test_that_histories_take_a_tie_as_it_is_and_say_where_zeta_is_lower_with_it():
     """A bar that yields early brings the wall back harder: the lower zeta stands, the one without the tie is said."""
-    tie = {"kind": "tie", "kn_m": 3.0, "h_m": 6.5, "bar_length_m": 8.0, "elongation_m": 0.05}
-    wall = {key: value for key, value in TIED.items() if not key.startswith(("tie_", "unloaded"))}
-    wall |= {"height_m": 7.0, "thickness_m": 0.5, "unit_weight_kn_m3": 18.0}
+    tie = {"kind": "tie", "out_kn_m": 3.0, "h_m": 6.5, "bar_length_m": 8.0, "elongation_m": 0.05}
+    wall = FREE | {"height_m": 7.0, "thickness_m": 0.5, "unit_weight_kn_m3": 18.0}
     spectrum = {**SITE["spectrum"], "soil": "B", "f0": 2.4}
     table = {
         "demand": {"ag_g": 0.3, "spectrum": spectrum},
         "generate": {"scatter": 0.0, "count": 3},
         "analysis": {"q_step": 0.1},
     }
-    tied = made({**table, "wall": [wall | {"load": [tie]}]}).walls[0].assessment
-    bare = made({**table, "wall": [wall | {"unloaded_confirmed": True}]}).walls[0].assessment
+    tied = made({**table, "wall": [wall | {"hold": [tie]}]}).walls[0].assessment
+    bare = made({**table, "wall": [wall]}).walls[0].assessment
     assert tied.verdict.zeta_e == tied.dynamic.zeta < bare.dynamic.zeta
     (said,) = [dict(limit.values) for limit in tied.verdict.limits if limit.code == "ties_histories"]
     assert (said["tied"].value, said["bare"].value) == (tied.dynamic.zeta, bare.dynamic.zeta)

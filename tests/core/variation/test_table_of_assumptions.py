@@ -26,7 +26,7 @@ from core.variation.evaluate import evaluate
 from core.variation.favourable_site import favourable_demand
 from tests.clauses_alone import parse_case
 from tests.core.ooxml.writers import WRITERS, workbook
-from tests.holds import at_top, behind
+from tests.holds import at_top, behind, carries
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
 WALL = {"name": "w", "height_m": 4.0, "thickness_m": 0.45, "mechanism": "one_sided", "base_z_m": 0.0}
@@ -165,8 +165,8 @@ def test_that_a_free_element_rocks_less_well_with_its_branch_and_that_the_worse_
 def test_that_a_wall_held_by_cross_walls_has_no_branch_and_a_tied_free_one_is_only_indicative():
     held = scene_of(WALL | {"unloaded_confirmed": True}, {"ag_g": 0.1, "spectrum": NTC}, generate={"count": 3})
     assert held.branches == ()
-    tie = {"kind": "tie", "kn_m": 5.0, "h_m": 3.5, "bar_length_m": 6.0, "elongation_m": 0.3}
-    free = WALL | {"free_element": True, "load": [tie]}
+    tie = {"kind": "tie", "out_kn_m": 5.0, "h_m": 3.5, "bar_length_m": 6.0, "elongation_m": 0.3}
+    free = carries(tie, **WALL, free_element=True)
     found = evaluate(scene_of(free, {"ag_g": 0.02, "spectrum": NTC}, generate={"count": 7}), other=False)
     assert found.evidence.circumstances.unbranched == "rigid_free" and found.outcome == "indicative"
 
@@ -246,7 +246,7 @@ def test_that_the_check_with_q_2_is_not_said_to_agree_of_a_target_below_1_or_of_
     for wall, demand in (
         (WALL | {"unloaded_confirmed": True}, {"ag_g": 0.02, "spectrum": NTC, "zeta_target": 0.8}),
         (
-            WALL | {"load": [{"kind": "tie", "kn_m": 2.0, "h_m": 3.5, "bar_length_m": 6.0}]},
+            carries({"kind": "tie", "out_kn_m": 2.0, "h_m": 3.5, "bar_length_m": 6.0}, **WALL),
             {"ag_g": 0.02, "spectrum": NTC},
         ),
     ):

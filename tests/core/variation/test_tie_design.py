@@ -8,6 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from core.case.hold import Hold
 from core.case.reader import read_case
 from core.codes.kinematic import analyse_mechanism, check_displacement, check_linear
 from core.ground.artificial import filtered_noise
@@ -21,9 +22,10 @@ from core.variation.tie_design import FORCE_NAMES, Hinge, add_tie, design_tie
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.case.test_spans_between_ties import FACADE
-from tests.core.variation.one_evaluation import WALL as QUICK
+from tests.core.variation.one_evaluation import BARE as QUICK
 from tests.core.variation.one_evaluation import history
 from tests.core.variation.one_evaluation import scene_of as quick_scene
+from tests.holds import behind, carries, sought
 from tests.validation.test_loaded_walls import DEMAND, ROOF, THRUST, WALL, case_of
 
 CHURCH = ROOT / "tests" / "validation" / "cases" / "church.toml"
@@ -31,7 +33,7 @@ CHURCH = ROOT / "tests" / "validation" / "cases" / "church.toml"
 
 # two hinges whose checks are straight lines of the force
 
-TALL = QUICK | {"height_m": 6.0, "thickness_m": 0.5, "unloaded_confirmed": True, "hinge_heights": [3.0]}
+TALL = QUICK | {"height_m": 6.0, "thickness_m": 0.5, "hinge_heights": [3.0]}
 BUILDING = {"height_m": 6.0, "storeys": 2, "period_s": 0.2}
 
 
@@ -43,16 +45,14 @@ def designed(monkeypatch):
     base, upper : name -> (a, b); of the histories, where they are, "dynamic", in a run "run" where that is another
     """
 
-    def found(base, upper, height=5.5, state="SLV", target=1.0, curve=1, load=(), **wall):
-        asked = TALL | {"tie_height_m": height} | wall | ({"load": [*load]} if load else {})
-        if load:
-            del asked["unloaded_confirmed"]
+    def found(base, upper, height=5.5, state="SLV", target=1.0, curve=1, load=(), **bar):
+        asked = TALL | carries(*load, sought(height, **bar), hold=TALL["hold"])
         demand = {"ag_g": 0.1, "soil_factor": 1.0, "limit_state": state, "zeta_target": target}
         lines = {6.0: base, 3.0: upper}
 
         def line(wall, name):
             a, b = lines[round(wall.height_m, 6)][name]
-            return a + b * sum(load.kn_m for load in wall.load if load.is_tie)
+            return a + b * sum(tie.out_kn_m for tie in wall.ties)
 
         def histories(scene, precision=FULL_PRECISION):
             names = lines[round(scene.wall.height_m, 6)]
@@ -74,13 +74,12 @@ def designed(monkeypatch):
 
         monkeypatch.setattr(tie_module, "evaluate", stated)
         monkeypatch.setattr(tie_module, "STRENGTH_CURVE", curve)
-        stands = lambda wall: sum(load.kn_m for load in wall.load if load.is_tie) <= 6.0  # noqa: E731
+        stands = lambda wall: sum(tie.out_kn_m for tie in wall.ties) <= 6.0  # noqa: E731
         monkeypatch.setattr(tie_module, "carries", stands)
         monkeypatch.setattr(tie_module, "_bending", lambda *_: (None, None))
         scenes = [quick_scene(asked, demand, k=k, building=BUILDING) for k in (0, 1)]
         hinges = [Hinge(at, scene, histories(scene)) for at, scene in zip((0.0, 3.0), scenes, strict=True)]
-        whole = quick_scene(asked, demand).wall
-        return design_tie(hinges, replace(whole, tie_height_m=height)), hinges
+        return design_tie(hinges, quick_scene(asked, demand).wall), hinges
 
     return found
 
@@ -88,7 +87,7 @@ def designed(monkeypatch):
 BASE = {"nonlinear": (0.6, 0.1), "linear": (0.5, 0.2)}
 UPPER = {"nonlinear": (0.8, 0.1), "linear": (0.9, 0.1)}
 PASSING = {"nonlinear": (1.2, 0.0), "linear": (1.0, 0.0)}
-BAR = {"tie_bar_length_m": 8.0, "tie_elongation_m": 0.4}
+BAR = {"bar_length_m": 8.0, "elongation_m": 0.4}
 
 
 @pytest.mark.shows("ties.design")
@@ -171,7 +170,7 @@ def test_that_the_histories_are_those_of_all_hinges_and_the_largest_force_is_nam
 def test_that_the_bar_stretches_by_the_sine_of_the_rotation_over_its_height(designed):
     """At the largest peak, 0.2 theta_c, and at theta_c = atan(0.15 / 3) of a wall whose tie is gone by then."""
     line = {"dynamic": (0.4, 0.2)}
-    found, _ = designed(BASE | line, UPPER | line, tie_bar_length_m=8.0)
+    found, _ = designed(BASE | line, UPPER | line, bar_length_m=8.0)
     theta = math.atan(0.15 / 3.0)
     assert found.elongation["d_0"] == pytest.approx(5.5 * math.sin(theta))
     assert found.elongation["demand"] == pytest.approx(5.5 * math.sin(0.2 * theta))
@@ -222,7 +221,7 @@ def test_that_without_the_length_of_its_bar_the_force_is_at_least_that_of_the_ot
 def test_that_the_smallest_bars_that_hold_the_force_at_their_spacing_are_named(designed):
     """4 kN/m x 1.5 m and 6 m: 6 and 24 kN; a bar of 12 mm holds 113.1 x 235 / 1.05 = 25.3 kN."""
     for spacing, bar in ((1.5, 12), (6.0, 12), (6.5, 14)):
-        found, _ = designed(BASE, UPPER, tie_spacing_m=spacing)
+        found, _ = designed(BASE, UPPER, spacing_m=spacing)
         assert (found.diameter, found.spacing) == (bar, spacing) and found.thread > bar
     assert designed(BASE, UPPER)[0].diameter is None
 
@@ -240,14 +239,17 @@ def test_that_the_curve_goes_from_three_tenths_of_the_height_to_the_top(designed
 
 
 def test_that_no_tie_is_added_for_no_force_and_a_bar_nobody_describes_is_ten_metres_long():
-    wall = quick_scene(TALL).wall
+    wall = quick_scene(TALL | {"unloaded_confirmed": True}).wall
     assert add_tie(wall, 0.0, 5.5) is wall and add_tie(wall, -1.0, 5.5) is wall
-    (tie,) = add_tie(wall, 1.0, 5.5).load
-    assert (tie.kn_m, tie.h_m, tie.bar_length_m, tie.elongation_m) == (1e-3, 5.5, 10.0, 10.0)
-    assert not add_tie(wall, 0.05, 5.5).unloaded_confirmed and len(add_tie(wall, 0.05, 5.5).load) == 1
-    (given,) = add_tie(replace(wall, **BAR), 2e3, 5.5).load
-    assert (given.kn_m, given.bar_length_m, given.elongation_m) == (2.0, 8.0, 0.4)
-    (brittle,) = add_tie(replace(wall, tie_bar_length_m=8.0), 2e3, 5.5).load
+    (tie,) = add_tie(wall, 1.0, 5.5).ties
+    assert (tie.out_kn_m, tie.h_m, tie.bar_length_m, tie.elongation_m) == (1e-3, 5.5, 10.0, 10.0)
+    tied = add_tie(wall, 0.05, 5.5)
+    assert tied.unloaded_confirmed and not tied.load and tied.restraints == wall.hold and len(tied.ties) == 1
+    asked = replace(wall, hold=(*wall.hold, Hold("tie", h_m=5.5, design=True, **BAR)))
+    (given,) = add_tie(asked, 2e3, 5.5).ties
+    assert (given.out_kn_m, given.bar_length_m, given.elongation_m, given.design) == (2.0, 8.0, 0.4, False)
+    alone = replace(asked.sought, elongation_m=None)
+    (brittle,) = add_tie(replace(wall, hold=(*wall.hold, alone)), 2e3, 5.5).ties
     assert brittle.elongation_m is None
 
 
@@ -256,10 +258,11 @@ def test_that_no_tie_is_added_for_no_force_and_a_bar_nobody_describes_is_ten_met
 
 @functools.cache
 def church(**changes):
-    """The church facade with these fields of its wall: its tie_design of the results, and what its run told of how far
-    it is: (done, planned, time left)."""
+    """The church facade with these fields of the tie that is sought: its tie_design of the results, and what its run
+    told of how far it is: (done, planned, time left)."""
     case, told = read_case(CHURCH), []
-    case = replace(case, wall=(replace(case.wall[0], **changes),))
+    (wall,) = case.wall
+    case = replace(case, wall=(replace(wall, hold=(*wall.restraints, replace(wall.sought, **changes))),))
     result = study.run(case, base_dir=CHURCH.parent, jobs=2, on_progress=lambda *state: told.append(state))
     return json_report.results(result)["walls"][0]["tie_design"], tuple(told)
 
@@ -280,7 +283,7 @@ def test_that_each_check_asks_of_the_church_what_the_hand_does():
 
 @pytest.mark.long
 def test_that_the_force_named_is_the_largest_of_histories_displacement_and_thrust():
-    found, _ = church(tie_bar_length_m=8.0, tie_elongation_m=0.4, tie_spacing_m=1.5)
+    found, _ = church(bar_length_m=8.0, elongation_m=0.4, spacing_m=1.5)
     forces = found["forces_kn_m"]
     assert found["histories_missing"] == "" and 1.0 < forces["dynamic"] < forces["nonlinear"]
     # rounded up to what is written, so that a tie of that force does it
@@ -298,7 +301,7 @@ def test_that_the_force_named_is_the_largest_of_histories_displacement_and_thrus
 @pytest.mark.long
 def test_that_a_bar_that_stands_nothing_beyond_yield_must_not_come_to_it():
     """d_SLV ends where it breaks: a larger force makes the wall stiff enough to stay below."""
-    found, _ = church(tie_bar_length_m=8.0)
+    found, _ = church(bar_length_m=8.0)
     assert found["stands_m"] == pytest.approx(235e6 * 8.0 / 205e9)
     assert found["forces_kn_m"]["nonlinear"] > 20.0
     # alpha_0 counts what the bar came to, whatever it stands beyond
@@ -307,9 +310,9 @@ def test_that_a_bar_that_stands_nothing_beyond_yield_must_not_come_to_it():
 
 def test_that_the_force_of_the_linear_check_is_that_of_the_balance_of_moments():
     """zeta = q alpha_0 g / (e* FC a_g S): alpha_0 = zeta FC 0.312 / 2 = (5.4675 + 3 - 5 + 2.9 F) / 36.45."""
-    table = {"wall": [{**WALL, "load": [ROOF, THRUST], "tie_height_m": 2.9}], "demand": DEMAND}
+    table = {"wall": [WALL | carries(ROOF, THRUST, sought(2.9))], "demand": DEMAND}
     found = study.run(parse_case(table), base_dir=Path()).walls[0].assessment.tie
-    demand = read_demand(case_of(ROOF, THRUST, tie_height_m=2.9), Path())
+    demand = read_demand(case_of(ROOF, THRUST, sought(2.9)), Path())
     alpha0 = 1.35 * demand.pga / G / 2.0
     by_hand = (alpha0 * 36.45 - (5.4675 + 3.0 - 5.0)) / 2.9
     assert found.forces["linear_q_code"] == pytest.approx(1e3 * by_hand, rel=2e-4)
@@ -317,7 +320,7 @@ def test_that_the_force_of_the_linear_check_is_that_of_the_balance_of_moments():
 
 
 def test_that_no_tie_is_needed_or_none_is_enough_is_said():
-    wall = {**WALL, "load": [ROOF], "tie_height_m": 2.9}
+    wall = WALL | carries(ROOF, sought(2.9))
     weak = study.run(parse_case({"wall": [wall], "demand": {**DEMAND, "ag_g": 0.05}}), base_dir=Path())
     assert weak.walls[0].assessment.tie.force == 0.0
     strong = study.run(parse_case({"wall": [wall], "demand": {**DEMAND, "ag_g": 0.9}}), base_dir=Path())
@@ -329,7 +332,7 @@ def test_that_no_tie_is_needed_or_none_is_enough_is_said():
 @pytest.mark.parametrize("state", ["SLD", "SLC"])
 @pytest.mark.long
 def test_that_the_force_at_another_state_is_of_the_checks_of_that_state(state):
-    wall = {**WALL, "load": [ROOF], "tie_height_m": 2.9}
+    wall = WALL | carries(ROOF, sought(2.9))
     demand = {**DEMAND, "ag_g": 0.2 if state == "SLD" else 0.3, "limit_state": state}
     found = study.run(parse_case({"wall": [wall], "demand": demand}), base_dir=Path()).walls[0]
     forces = found.assessment.tie.forces
@@ -345,16 +348,16 @@ def test_that_the_force_at_another_state_is_of_the_checks_of_that_state(state):
         )
 
 
-def hinged(tmp_path, **changes):
+def hinged(tmp_path, tie=5.5):
     wall = {
         **WALL,
         "height_m": 6.0,
         "load": [{**ROOF, "h_m": 6.0}, {**THRUST, "h_m": 6.0, "kn_m": 1.0}],
-        "tie_height_m": 5.5,
+        "hold": [sought(tie)],
         "hinge_heights": [3.0],
     }
     building = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
-    table = {"wall": [wall | changes], "demand": DEMAND, "building": building}
+    table = {"wall": [wall], "demand": DEMAND, "building": building}
     return study.run(parse_case(table), base_dir=tmp_path).walls
 
 
@@ -378,7 +381,7 @@ def test_that_the_design_is_of_all_hinges_together_and_stands_at_the_base(tmp_pa
 
 @pytest.mark.long
 def test_that_no_tie_below_a_hinge_that_fails_is_enough(tmp_path):
-    base, upper = hinged(tmp_path, tie_height_m=2.0)
+    base, upper = hinged(tmp_path, tie=2.0)
     assert upper.assessment.verdict.zeta_e < 1.0
     tie = base.assessment.tie
     assert tie.hinges == 1 and tie.forces["nonlinear"] is None and tie.force is None
@@ -389,9 +392,9 @@ def test_that_no_tie_below_a_hinge_that_fails_is_enough(tmp_path):
 @pytest.mark.long
 def test_that_the_tie_found_in_a_study_brings_the_dynamic_check_to_its_target(tmp_path, seconds):
     """seconds : of three records scaled to the demand, in place of three compatible motions of 25 s"""
-    wall = {**WALL, "load": [ROOF, {**THRUST, "kn_m": 2.5}], "tie_height_m": 2.9, "hold": [{"kind": "cross_walls"}]}
-    wall |= {"tie_bar_length_m": 8.0, "tie_elongation_m": 0.4}
-    table = {"wall": [wall], "demand": DEMAND, "generate": {"scatter": 0.0, "count": 3}, "analysis": {"q_step": 0.05}}
+    wall = {**WALL, "load": [ROOF, {**THRUST, "kn_m": 2.5}], "hold": behind("", "cross_walls")}
+    asked = wall | {"hold": [*wall["hold"], sought(2.9, bar_length_m=8.0, elongation_m=0.4)]}
+    table = {"wall": [asked], "demand": DEMAND, "generate": {"scatter": 0.0, "count": 3}, "analysis": {"q_step": 0.05}}
     if seconds:
         for k in range(3):
             samples = filtered_noise(k + 1, 2.0)[200:][: round(100 * seconds)]
@@ -403,9 +406,8 @@ def test_that_the_tie_found_in_a_study_brings_the_dynamic_check_to_its_target(tm
     force = found.tie.forces["dynamic"]
     assert found.verdict.zeta_e < 1.0 and force > 0.0
     for share, holds in ((1.0, True), (0.6, False)):
-        tie = {"kind": "tie", "kn_m": 1e-3 * share * force, "h_m": 2.9, "bar_length_m": 8.0, "elongation_m": 0.4}
-        held = {key: value for key, value in wall.items() if not key.startswith("tie_")}
-        held["load"] = [*wall["load"], tie]
+        tie = {"kind": "tie", "out_kn_m": 1e-3 * share * force, "h_m": 2.9, "bar_length_m": 8.0, "elongation_m": 0.4}
+        held = wall | {"hold": [*wall["hold"], tie]}
         again = study.run(parse_case({**table, "wall": [held]}), base_dir=tmp_path).walls[0].assessment
         assert again.verdict.governing == "dynamic"
         assert (again.dynamic.passed and not again.dynamic.within_spread(1.0)) == holds
@@ -433,8 +435,9 @@ def test_that_a_design_that_is_not_made_leaves_nothing_open():
 def test_that_a_tie_beyond_one_block_is_named_where_the_wall_holds_as_it_bends():
     """A facade that needs more at a high demand than one block takes: it is satisfied as it bends, or there is none."""
     load = {"kind": "vertical", "kn_m": 150.0, "d_m": 0.3, "h_m": 4.2, "mass": "none"}
-    asked = FACADE | {"height_m": 7.0, "thickness_m": 0.6, "tie_height_m": 4.2, "tie_bar_length_m": 9.0}
-    asked |= {"tie_elongation_m": 0.5, "load": [load]}
+    bare = FACADE | {"height_m": 7.0, "thickness_m": 0.6, "load": [load]}
+    bar = {"bar_length_m": 9.0, "elongation_m": 0.5}
+    asked = bare | {"hold": [*bare["hold"], sought(4.2, **bar)]}
     building = {"height_m": 7.0, "storeys": 2, "period_s": 0.3}
     seen = set()
     for ag in (0.1, 0.37, 0.9):
@@ -444,9 +447,9 @@ def test_that_a_tie_beyond_one_block_is_named_where_the_wall_holds_as_it_bends()
         beyond = tie.asked is not None and tie.asked > tie.largest
         assert (tie.force is None) == (beyond and tie.bending is None)
         if beyond and tie.force is not None:
-            bar = {"kind": "tie", "h_m": 4.2, "kn_m": 1e-3 * tie.force, "bar_length_m": 9.0, "elongation_m": 0.5}
-            made = {key: value for key, value in asked.items() if not key.startswith("tie_")}
-            case = {"wall": [made | {"load": [*asked["load"], bar]}], "demand": demand, "building": building}
+            named = {"kind": "tie", "h_m": 4.2, "out_kn_m": 1e-3 * tie.force, **bar}
+            held = bare | {"hold": [*bare["hold"], named]}
+            case = {"wall": [held], "demand": demand, "building": building}
             walls = study.run(parse_case(case), base_dir=Path()).walls
             bends = [wall.assessment.verdict.zeta_e for wall in walls if wall.part.top is not None]
             assert min(bends) == pytest.approx(tie.bending, rel=1e-12)

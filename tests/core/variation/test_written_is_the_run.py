@@ -22,6 +22,7 @@ from core.variation.tie_design import add_tie
 from core.variation.wall_evaluation import NO_EVALUATION, make_wall_context
 from tests.clauses_alone import parse_case
 from tests.core.variation.random_walls import random_tables
+from tests.holds import sought
 
 HERE = Path(__file__).parent
 
@@ -45,7 +46,7 @@ def case_at(case, scene):
     if scene.demand.confidence_factor == FULL_FACTOR:
         demand = replace(demand, confidence_factor=FULL_FACTOR, knowledge_level=None, investigations="")
     demand = replace(demand, limit_state=scene.demand.limit_state, zeta_target=scene.demand.zeta_target)
-    wall = replace(scene.wall, name="w", variant=None, mechanism=scene.mechanism, tie_height_m=None)
+    wall = replace(scene.wall.without_sought(), name="w", variant=None, mechanism=scene.mechanism)
     changes = {"wall": (replace(wall, hinge_heights="base"),), "demand": demand, "building": scene.building}
     if scene.by_default:
         changes["analysis"] = replace(case.analysis, histories=True)
@@ -224,10 +225,10 @@ def test_that_forty_walls_under_records_are_written_as_they_run(kind):
 @pytest.mark.long
 @pytest.mark.long
 def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
-    """The tie of the force named, as a load of the case."""
+    """The tie of the force named, as a hold of the case."""
     wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.5, "mechanism": "one_sided", "base_z_m": 0.0}
-    wall |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls"}], "unloaded_confirmed": True}
-    wall |= {"tie_height_m": 5.7, "tie_bar_length_m": 8.0, "tie_elongation_m": 0.4}
+    tie = sought(5.7, bar_length_m=8.0, elongation_m=0.4)
+    wall |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls"}, tie], "unloaded_confirmed": True}
     spectrum = {"code": "NTC2018", "soil": "B", "topography": "T1", "f0": 2.36, "tc_star_s": 0.35}
     for records in (False, True):
         table = {"wall": [wall], "demand": {"ag_g": 0.2, "spectrum": spectrum}, "analysis": {"q_step": 0.1}}
@@ -236,8 +237,8 @@ def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
         case = parse_case(table)
         tie = made(case).walls[0].assessment.tie
         assert tie.force > 0.0
-        own = replace(case.wall[0], tie_height_m=None, tie_bar_length_m=None, tie_elongation_m=None)
-        held = replace(own, load=add_tie(case.wall[0], tie.force, 5.7).load, unloaded_confirmed=False)
+        held = add_tie(case.wall[0], tie.force, 5.7).without_sought()
+        assert len(held.ties) == 1
         checks = {c.name: c for c in made(replace(case, wall=(held,))).walls[0].assessment.checks}
         named = ["nonlinear", "linear_q_code", *(["dynamic"] if records else [])]
         assert {name: checks[name].zeta for name in named} == {name: tie.zeta[name] for name in named}
@@ -247,15 +248,19 @@ def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
 WORDS = {"ties_displacement", "thicker_less", "lift_brittle"}
 """What says that more may be less: a tie that ends the displacement allowed or breaks before, and the thicker wall."""
 
+
+def with_ties(wall, change, *values):
+    """The wall with each of its ties changed to change(tie, *values)."""
+    return replace(wall, hold=tuple(change(hold, *values) if hold.is_tie else hold for hold in wall.hold))
+
+
 STRONGER = {
     "thickness": lambda wall: [
         replace(wall, thickness_m=round(factor * wall.thickness_m, 4)) for factor in (1.05, 1.3)
     ],
-    "yield": lambda wall: [
-        replace(wall, load=tuple(replace(load, kn_m=1.3 * load.kn_m) if load.is_tie else load for load in wall.load))
-    ],
+    "yield": lambda wall: [with_ties(wall, lambda tie: replace(tie, out_kn_m=1.3 * tie.out_kn_m))],
     "elongation": lambda wall: [
-        replace(wall, load=tuple(replace(load, elongation=share) if load.is_tie else load for load in wall.load))
+        with_ties(wall, lambda tie, share: replace(tie, elongation_m=share * tie.bar_length_m), share)
         for share in (0.08, 0.15)
     ],
 }
@@ -269,8 +274,7 @@ def check_monotone(table):
         return 0
     changed = [("FC", case)] if case.demand.confidence_factor < FULL_FACTOR else []
     for name, change in STRONGER.items():
-        tied = any(load.is_tie for load in case.wall[0].load)
-        if name == "thickness" or tied:
+        if name == "thickness" or case.wall[0].ties:
             changed += [(name, replace(case, wall=(wall,))) for wall in change(case.wall[0])]
     for name, there in changed:
         weaker, stronger = before, made(there)

@@ -17,7 +17,7 @@ def wall_of(*loads, **changes):
 def test_that_the_largest_tie_is_where_the_resultant_of_a_section_leaves_the_wall():
     """At the multiplier lambda that uplifts the wall the moment of the part above y about the middle of the wall is
     lambda w t (H - y)^2 / 2 - F (h - y) - N (d - t/2), its weight w t (H - y) + N: beyond N' t/2 it hinges there."""
-    strong = case_of(ROOF, {**TIE, "kn_m": 8.69}).wall[0]
+    strong = case_of(ROOF, {**TIE, "out_kn_m": 8.69}).wall[0]
     assert hinge_inside(strong.in_si) is None
     force, weight = 8.7, 24.3
     push = (weight * 0.225 + 10.0 * 0.30 + force * 2.8) / (weight * 1.5)
@@ -31,7 +31,7 @@ def test_that_the_largest_tie_is_where_the_resultant_of_a_section_leaves_the_wal
         worst = max(worst, abs(moment) / ((part + 10.0) * 0.225))
     assert worst == pytest.approx(1.0, abs=0.002)
     with pytest.raises(InputError) as caught:
-        case_of(ROOF, {**TIE, "kn_m": 9.0, "slack_mm": 1.0})
+        case_of(ROOF, {**TIE, "out_kn_m": 9.0, "slack_mm": 1.0})
     assert caught.value.values["most"] == pytest.approx(8.696, abs=0.01)
     assert largest_tie_share(strong.in_si) > 0.999
 
@@ -41,7 +41,7 @@ def test_that_the_strength_of_the_masonry_moves_hinge_and_largest_tie():
     wall = case_of(ROOF, hinge_setback_m=0.0, compressive_strength_mpa=1.0).wall[0]
     assert wall.setback == pytest.approx(2.0 * 34.3e3 / 3e6, rel=1e-12)
     with pytest.raises(InputError) as caught:
-        case_of(ROOF, {**TIE, "kn_m": 9.0, "slack_mm": 1.0}, compressive_strength_mpa=1.0)
+        case_of(ROOF, {**TIE, "out_kn_m": 9.0, "slack_mm": 1.0}, compressive_strength_mpa=1.0)
     most, weight = caught.value.values["most"], 24.3
     assert most < 8.69
     # about the hinge u inside the edge; of each section u = 2 N / (3 f) inside its own

@@ -11,6 +11,7 @@ from core.report import json_report
 from core.report.stated.quantity import schema, walk_quantities
 from core.report.stated.study import RESULTS
 from core.study.run import run
+from tests.holds import sought
 from tests.reference_of_results import FOLDER, json_schema, page
 
 CHECK = fastjsonschema.compile(schema(RESULTS))
@@ -28,9 +29,10 @@ HELD = {"name": "held", "mechanism": "vertical_bending", "height_m": 4.0, "thick
 HELD |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "hold": [{"kind": "cross_walls"}]}
 HELD |= {"load": [{"kind": "vertical", "kn_m": 10.0, "d_m": 0.15, "h_m": 4.0, "mass": "none"}]}
 TIED = {"name": "tied", "mechanism": "one_sided", "height_m": 7.0, "thickness_m": 0.6, "length_m": 9.0}
-TIED |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "tie_height_m": 6.0, "tie_bar_length_m": 8.0}
+TIED |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0}
 BARS = {"number": 1, "diameter_mm": 12.0}
-TIED |= {"load": [{"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "bar": BARS, "elongation": 0.02}]}
+TIE = {"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "bar": BARS, "elongation_m": 0.16}
+TIED |= {"hold": [TIE, sought(6.0, bar_length_m=8.0)]}
 HIGH = {"name": "high", "mechanism": "both", "height_m": 1.5, "thickness_m": 0.3, "base_z_m": 9.0, "length_m": 4.0}
 HIGH |= {"unit_weight_kn_m3": 18.0, "free_element": True, "elastic_modulus_mpa": 900.0}
 HIGH |= {"openings": [{"s_m": 1.0, "z_m": 0.5, "width_m": 1.0, "height_m": 0.5}]}
