@@ -58,7 +58,7 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-BASE_KEYS = "base_z_m", "free_element", "all_directions"
+BASE_KEYS = "base_z_m", "free_element"
 """Keys beside the mechanism."""
 
 
@@ -263,7 +263,6 @@ class WallForm(WallEditor):
         # only what the mechanism needs, and what stands there all the same
         self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
         self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
-        self.fields["all_directions"].setVisible(wall.kinematics.both_ways or wall.all_directions)
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
         for name, said in unused_history_sections(wall).items():
             self.sections[name].setVisible(not wall.bends or said)

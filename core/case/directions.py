@@ -5,22 +5,23 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from core.case.hold import TIE
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
 from core.known import require_value
-from core.text.sentence import Key
 
 CENTRED = 0.01
 """Distance of a load from the middle of the thickness, at most [of it]."""
+
+LONGEST = 2.0
+"""Length over thickness beyond which a body falls across itself: along itself it is as much more slender there."""
 
 
 def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
     """The body as a wall of its other directions, and what tells them, in degrees from that of the thickness: along its
     length, and along the diagonal, over a corner, where it is not too stocky to rock there (a negative velocity ratio).
-    Nothing of a wall that falls across itself alone."""
-    for aspect, turned in _all_of(wall) if wall.all_directions else ():
+    Nothing of a wall that falls across itself alone, or that is not known in all directions."""
+    for aspect, turned in _all_of(wall) if falls_all_ways(wall) else ():
         try:
             turned.restitution_of("two_sided")
         except InputError as error:
@@ -30,10 +31,25 @@ def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
         yield aspect, turned
 
 
+def _stands_free(wall: Wall) -> bool:
+    """Whether nothing holds a wall, which is no longer than LONGEST times as thick."""
+    if wall.restraints or wall.leans or wall.bends or None in (wall.thickness, wall.length_m):
+        return False
+    return require_value(wall.length_m) <= LONGEST * require_value(wall.thickness)
+
+
+def falls_all_ways(wall: Wall) -> bool:
+    """Whether a wall is a prism that stands free, and carries nothing but weights in its middle."""
+    if not _stands_free(wall) or wall.ties or wall.has_shape or None in (wall.height_m, wall.unit_weight_kn_m3):
+        return False
+    middle = 0.5 * require_value(wall.thickness)
+    return all(load.is_weight and abs(require_value(load.d_m) - middle) <= CENTRED * middle for load in wall.load)
+
+
 def falls_sooner_along(wall: Wall) -> bool:
     """Whether a wall that nothing holds is shorter than thick, so that it falls along its length first, and that is
     not looked at."""
-    if wall.all_directions or wall.restraints or wall.leans or wall.bends or None in (wall.thickness, wall.length_m):
+    if not _stands_free(wall) or falls_all_ways(wall):
         return False
     return require_value(wall.length_m) < require_value(wall.thickness)
 
@@ -69,27 +85,4 @@ def _turned(wall: Wall, aspect: str, thickness: float, length: float, setback: f
         hinge_setback_m=setback,
         compressive_strength_mpa=None,
         load=tuple(replace(load, g_kn_m=None, q_kn_m=None, psi_2=None) for load in loads),
-        all_directions=False,
     )
-
-
-def check_directions(wall: Wall) -> None:
-    """Raise InputError for a body of which only the direction of its thickness can be looked at."""
-    if not wall.all_directions:
-        return
-    here = (place("wall", name=wall.name),)
-    if not wall.kinematics.both_ways:
-        raise InputError("directions_two_sided", place=here, key="all_directions", found=wall.mechanism)
-    given = {"thickness_m": wall.thickness, "height_m": wall.height_m, "length_m": wall.length_m}
-    if missing := next((key for key, value in given.items() if value is None), None):
-        raise InputError("directions_need", place=here, key=missing, flag=Key("all_directions"))
-    if wall.unit_weight_kn_m3 is None:
-        raise InputError("directions_need", place=here, key="unit_weight_kn_m3", flag=Key("all_directions"))
-    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.kind == TIE), None):
-        raise InputError("directions_tie", place=(*here, place("hold", n=n)), key="kind")
-    if wall.has_shape:
-        raise InputError("directions_prism", place=here, key="all_directions")
-    middle = 0.5 * require_value(wall.thickness)
-    for n, load in enumerate(wall.load, start=1):
-        if not load.is_weight or abs(require_value(load.d_m) - middle) > CENTRED * middle:
-            raise InputError("directions_centred", place=(*here, place("load", n=n)), key="d_m", middle=middle)

@@ -6,7 +6,7 @@ from typing import Any
 
 from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge, part_name
 from core.case.detached import leaf_label, make_leaf_wall
-from core.case.directions import directions_of
+from core.case.directions import directions_of, falls_all_ways
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
 from core.case.held_stretches import HeldStretch, find_held_stretches, highest_anchor
 from core.case.held_top import mirror_inward
@@ -341,7 +341,7 @@ def _hinges_of_leaf(leaf: Wall, building: Building | None) -> list[float]:
 def count_wall_parts(asked: Wall, building: Building | None) -> int:
     """Number of `parts_of` by each of their mechanisms, without making them where they are those of most walls."""
     whole = add_floor_loads(asked, building)
-    if whole.leaf is not None or whole.all_directions or len(whole.mechanisms()) > 1:
+    if whole.leaf is not None or falls_all_ways(whole) or len(whole.mechanisms()) > 1:
         return sum(len(part.wall.mechanisms()) for part in make_wall_parts(0, whole, building))
     hinges = turning_hinges(whole, building)
     between_ties = find_bending_spans(whole, hinges)

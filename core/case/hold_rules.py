@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from core.case.directions import LONGEST
 from core.case.held_stretches import find_held_stretches, stands_outward
 from core.case.hold import AT_A_HEIGHT, BETWEEN, STRENGTH, TIE, Hold
 from core.case.site import Building
@@ -101,6 +102,8 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
         raise InputError(
             "old_reason", place=(here, section("[wall.justification]")), key="hinge_heights", written=written
         )
+    if "all_directions" in table:
+        raise InputError("directions_by_themselves", place=(here,), key="all_directions", most=LONGEST)
     if old := next((key for key in OLD_KEYS if key in table), None):
         raise InputError("old_key", place=(here,), key=old, written=rewritten(table))
     loads = table.get("load")

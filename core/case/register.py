@@ -117,7 +117,7 @@ def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[Regis
     if wall.leans and wall.held_by is not None and wall.held_by.only_there:
         leave(HORIZONTAL_BENDING, sentence("reason", "no_arch", arch=Key("spacing_m")))
     if falls_sooner_along(wall):
-        leave(DIRECTION, sentence("reason", "direction_left_out", key=Key("all_directions")))
+        leave(DIRECTION, sentence("reason", "direction_left_out", set_aside=Key("set_aside")))
     return rows
 
 

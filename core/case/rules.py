@@ -6,7 +6,6 @@ from dataclasses import fields, replace
 from typing import NamedTuple
 
 from core.case.detached import check_leaf
-from core.case.directions import check_directions
 from core.case.floor_loads import WallSetChecker, add_floor_loads, check_floors, check_floors_on, floor_at
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_bends, check_held_top
@@ -303,7 +302,6 @@ def _check_alone(wall: Wall) -> None:
             check_set_aside(entry, (place("wall", name=wall.title), place("set_aside", n=n)))
         check_arch(wall)
         check_leaf(wall)
-        check_directions(wall)
         for mechanism in wall.mechanisms():
             wall.restitution_of(mechanism)
         wall.moment_law()

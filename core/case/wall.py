@@ -101,7 +101,6 @@ class Wall(Shaped):
     length_m: float | None = number_key(0.05, 200.0, unit="m", form="checks")
     unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3", form="checks")
     free_element: bool | None = flag_key(None, form="checks")
-    all_directions: bool = flag_key(form="checks")
     elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
     unloaded_confirmed: bool = flag_key(form="checks")
     floor: str = text_key(form="checks")

@@ -42,7 +42,7 @@ TO_MEND = {
         "reason", "to_set_aside", (("key", Key("hinge_heights")), ("set_aside", Key("set_aside")))
     ),
     "end_left_open": Sentence("reason", "to_end", (("key", Key("to_m")), ("building", Key("[building]")))),
-    "direction_left_out": Sentence("reason", "to_directions", (("key", Key("all_directions")),)),
+    "direction_left_out": Sentence("reason", "to_directions", (("set_aside", Key("set_aside")),)),
     "stretches_left_out": Sentence("reason", "to_set_aside_stretch", (("set_aside", Key("set_aside")),)),
     "few_sound_records": Sentence("reason", "to_sound_records"),
     "no_spectrum": Sentence("reason", "to_no_spectrum"),

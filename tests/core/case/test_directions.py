@@ -6,7 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from core.case.directions import LONGEST
 from core.case.hinges import count_wall_parts, make_wall_parts
+from core.case.register import find_left_out
 from core.case.rules import parse_case
 from core.errors import InputError
 from core.setting.check_input import make_rocking_model
@@ -14,7 +16,7 @@ from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
 
 PINNACLE = {"name": "pinnacle", "mechanism": "two_sided", "height_m": 2.4, "thickness_m": 0.45, "length_m": 0.6}
-PINNACLE |= {"unit_weight_kn_m3": 22.0, "base_z_m": 0.0, "all_directions": True}
+PINNACLE |= {"unit_weight_kn_m3": 22.0, "base_z_m": 0.0}
 DEMAND = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
 
 
@@ -31,7 +33,8 @@ def test_that_random_prisms_turn_along_their_length_and_over_a_corner_as_their_p
     """M, the centroid, I about the edge and what an impact leaves, from points of the prism in coordinates."""
     rng = np.random.default_rng(seed)
     for _ in range(100):
-        t, length, height = rng.uniform(0.1, 1.5), rng.uniform(0.1, 1.5), rng.uniform(2.0, 5.0)
+        t, height = rng.uniform(0.3, 0.75), rng.uniform(2.0, 5.0)
+        length = t * rng.uniform(0.2, LONGEST)
         _, along, diagonal = walls_of(thickness_m=t, length_m=length, height_m=height, unloaded_confirmed=True)
         base = math.hypot(t, length)
         # x of a point is its distance along the direction of motion from the corner: sums of three uniform variables
@@ -48,8 +51,14 @@ def test_that_random_prisms_turn_along_their_length_and_over_a_corner_as_their_p
 
 
 def test_that_a_direction_too_stocky_to_rock_is_left_out():
-    """A chimney longer than it is high does not fall along itself; across it does."""
-    (own,) = walls_of(height_m=1.2, length_m=2.5)
+    """A block longer than it is high does not fall along itself; across it does."""
+    (own,) = walls_of(height_m=0.55, length_m=0.85)
+    assert own.thickness_m == 0.45
+
+
+def test_that_a_body_longer_than_twice_its_thickness_falls_across_itself():
+    assert len(walls_of(length_m=0.45 * LONGEST)) == 3
+    (own,) = walls_of(length_m=0.45 * LONGEST + 0.01)
     assert own.thickness_m == 0.45
 
 
@@ -85,21 +94,37 @@ def test_that_the_worst_direction_is_the_verdict_and_each_has_its_histories():
 
 
 @pytest.mark.parametrize(
-    ("changes", "code"),
+    "changes",
     [
-        ({"mechanism": "one_sided"}, "directions_two_sided"),
-        ({"length_m": None}, "directions_need"),
-        ({"unit_weight_kn_m3": None}, "directions_need"),
-        ({"gable_m": 0.5}, "directions_prism"),
-        ({"load": [{"kind": "carried_mass", "kn_m": 1.0, "d_m": 0.1, "h_m": 2.4}]}, "directions_centred"),
-        ({"load": [{"kind": "thrust", "kn_m": 0.1, "h_m": 2.4}]}, "directions_centred"),
+        {"mechanism": "one_sided"},
+        {"hold": [{"kind": "contact"}]},
+        {"length_m": None},
+        {"unit_weight_kn_m3": None},
+        {"gable_m": 0.5},
+        {"load": [{"kind": "carried_mass", "kn_m": 1.0, "d_m": 0.1, "h_m": 2.4}]},
+        {"load": [{"kind": "thrust", "kn_m": 0.1, "h_m": 2.4}]},
+        {"hold": [{"kind": "tie", "out_kn_m": 0.1, "h_m": 2.4, "bar_length_m": 5.0}]},
     ],
 )
-def test_that_a_body_known_in_one_direction_alone_is_refused(changes, code):
+def test_that_a_body_that_something_holds_or_known_in_one_direction_alone_has_that_one(changes):
     table = {key: value for key, value in {**PINNACLE, **changes}.items() if value is not None}
+    wall = parse_case({"wall": [table]}).wall[0]
+    assert [part.aspect for part in make_wall_parts(0, wall, None)] == [""]
+
+
+@pytest.mark.parametrize(("length", "left_out"), [(0.44, True), (0.46, False)])
+def test_that_a_direction_that_falls_sooner_and_is_not_known_is_left_out(length, left_out):
+    off = {"kind": "carried_mass", "kn_m": 1.0, "d_m": 0.1, "h_m": 2.4}
+    wall = PINNACLE | {"length_m": length, "load": [off], "elastic_modulus_mpa": 1000.0, "mechanism": "two_sided"}
+    wall |= {"law": "rigid", "load": [off | {"kind": "vertical", "mass": "none"}]}
+    (part,) = make_wall_parts(0, parse_case({"wall": [wall]}).wall[0], None)
+    assert ("direction_left_out" in [why.code for why in find_left_out(part, None)]) == left_out
+
+
+def test_that_the_older_flag_is_refused_with_what_is_done_now():
     with pytest.raises(InputError) as refused:
-        parse_case({"wall": [table]})
-    assert refused.value.code == code
+        parse_case({"wall": [PINNACLE | {"all_directions": True}]})
+    assert refused.value.code == "directions_by_themselves"
 
 
 def test_that_no_direction_goes_for_another_reason_than_that_it_does_not_rock():

@@ -274,17 +274,12 @@ ON_TOP = {"name": "roof", "level_m": 6.0, "span_m": 6.0, "g_kn_m2": 2.0, "mass":
             {"kn_m": 6.0, "d_m": 0.5, "h_m": 6.0},
         ),
         (
-            NORTH | {"mechanism": "two_sided", "height_m": 6.0, "all_directions": True},
-            ON_TOP | {"from_d_m": 0.05},
-            {"kn_m": 6.0, "d_m": 0.05, "h_m": 6.0},
-        ),
-        (
             {key: value for key, value in NORTH.items() if key != "unit_weight_kn_m3"} | {"height_m": 6.0},
             ON_TOP | {"from_d_m": 0.3},
             {"kn_m": 6.0, "d_m": 0.3, "h_m": 6.0},
         ),
     ],
-    ids=["body", "directions", "weight"],
+    ids=["body", "weight"],
 )
 def test_that_a_floor_is_refused_where_its_load_written_by_hand_is(wall, floor, load):
     with pytest.raises(InputError) as by_hand:

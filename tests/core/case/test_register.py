@@ -24,6 +24,7 @@ BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 WALL = {"name": "w", "mechanism": "one_sided", "height_m": 9.0, "thickness_m": 0.6, "length_m": 8.0}
 WALL |= {"base_z_m": 0.0, "unit_weight_kn_m3": 18.0, "unloaded_confirmed": True, "hold": behind(to_m=9.0)}
 FLOOR = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.4, "mass": "none"}
+FREE = {"mechanism": "two_sided", "hold": None}
 TIE = {"kind": "tie", "out_kn_m": 8.0, "h_m": 8.6, "bar_length_m": 9.0, "elongation_m": 0.3}
 WEAK = TIE | {"out_kn_m": 5.0}
 BENT = {"mechanism": "vertical_bending", "height_m": 3.0, "hold": at_top(3.0, 9.0)}
@@ -72,8 +73,14 @@ def floors(*heights):
         ({"hold": behind()}, None, ("part_above", NOT_LOOKED_AT)),
         ({"hold": behind()}, BUILDING, ("part_above", NOT_POSSIBLE)),
         ({"hold": behind(to_m=7.0)}, BUILDING, ("part_above", LOOKED_AT)),
-        ({"mechanism": "two_sided", "hold": None, "length_m": 0.5}, None, ("direction", NOT_LOOKED_AT)),
-        ({"mechanism": "two_sided", "hold": None, "length_m": 0.7}, None, ("direction", NOT_POSSIBLE)),
+        (FREE | {"length_m": 0.5}, None, ("direction", LOOKED_AT)),
+        (FREE | {"length_m": 0.5} | loaded(FLOOR | {"h_m": 4.0}, hold=()), None, ("direction", NOT_LOOKED_AT)),
+        (
+            FREE | {"length_m": 0.5, "set_aside": [aside("direction")]} | loaded(FLOOR | {"h_m": 4.0}, hold=()),
+            None,
+            ("direction", SET_ASIDE),
+        ),
+        (FREE | {"length_m": 1.3}, None, ("direction", NOT_POSSIBLE)),
         ({"leaf": {"thickness_m": 0.25}}, BUILDING, ("leaf", LOOKED_AT)),
         (
             {"mechanism": "vertical_bending", "height_m": 3.0, "hold": at_top(3.0, 9.0)},

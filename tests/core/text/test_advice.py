@@ -17,7 +17,7 @@ LIFTING = re.compile(
 """Inputs that lift zeta, and what is left out, in the English of a sentence; the Italian says the same."""
 
 STATES = {
-    "directions_tie",
+    "directions_by_themselves",
     "old_column",
     "tie_sought",
     "tie_sought_low",
