@@ -131,7 +131,9 @@ class InputStage(QSplitter):
         column.setContentsMargins(4, 4, 4, 4)
         column.addWidget(self.walls.summary)
         column.addWidget(self.walls.drawing, 1)
-        hint = PlainLabel(tr("Click a load, a hinge or a size for its field, twice to change it here; drag a load."))
+        hint = PlainLabel(
+            tr("Click a load, a hold, a hinge or a size for its field, twice to change it here; drag loads and holds.")
+        )
         hint.setWordWrap(True)
         column.addWidget(hint)
         self.nothing = PlainLabel()

@@ -35,6 +35,7 @@ def make_leaf_wall(wall: Wall) -> Wall:
         return_wedges=None,
         return_walls=None,
         leaf=None,
+        set_aside=(),
         load=tuple(loads),
         hold=(*(_behind_leaf(hold, wall) for hold in wall.restraints), *wall.ties, *rows),
     )

@@ -9,6 +9,7 @@ from core.case.solids import Solid
 from core.case.wall import Wall
 from core.errors import InputError, place
 from core.known import require_value
+from core.wall.solids import contact_at
 
 CENTRED = 0.01
 """Distance of a load from the middle of the thickness, at most [of it]."""
@@ -31,27 +32,27 @@ def directions_of(wall: Wall) -> Iterator[tuple[str, Wall]]:
         yield aspect, turned
 
 
-def _stands_free(wall: Wall) -> bool:
-    """Whether nothing holds a wall, which is no longer than LONGEST times as thick."""
-    if wall.restraints or wall.leans or wall.bends or None in (wall.thickness, wall.length_m):
-        return False
-    return require_value(wall.length_m) <= LONGEST * require_value(wall.thickness)
-
-
 def falls_all_ways(wall: Wall) -> bool:
-    """Whether a wall is a prism that stands free, and carries nothing but weights in its middle."""
-    if not _stands_free(wall) or wall.ties or wall.has_shape or None in (wall.height_m, wall.unit_weight_kn_m3):
+    """Whether a wall is a prism that stands free, no longer than LONGEST times as thick, with weights in its middle
+    alone: of one that rocks both ways no hold is counted."""
+    if not wall.kinematics.both_ways or wall.ties or wall.has_shape:
+        return False
+    if None in (wall.thickness, wall.length_m, wall.height_m, wall.unit_weight_kn_m3):
         return False
     middle = 0.5 * require_value(wall.thickness)
-    return all(load.is_weight and abs(require_value(load.d_m) - middle) <= CENTRED * middle for load in wall.load)
+    centred = all(load.is_weight and abs(require_value(load.d_m) - middle) <= CENTRED * middle for load in wall.load)
+    return centred and require_value(wall.length_m) <= 2.0 * LONGEST * middle
 
 
-def falls_sooner_along(wall: Wall) -> bool:
-    """Whether a wall that nothing holds is shorter than thick, so that it falls along its length first, and that is
-    not looked at."""
-    if not _stands_free(wall) or falls_all_ways(wall):
+def falls_sooner_along(wall: Wall, free_above: float | None) -> bool:
+    """Whether a wall that is free, or its part above a height [m], is shorter than thick, so that it falls along its
+    length first, and that is not looked at."""
+    if wall.length_m is None or wall.thickness is None or falls_all_ways(wall):
         return False
-    return require_value(wall.length_m) < require_value(wall.thickness)
+    if not wall.kinematics.rocks_both_ways and free_above is None:
+        return False
+    faces = contact_at(wall.parts, free_above) if wall.parts and free_above is not None else None
+    return wall.length_m < (faces[1] - faces[0] if faces else wall.thickness)
 
 
 def _all_of(wall: Wall) -> Iterator[tuple[str, Wall]]:

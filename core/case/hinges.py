@@ -111,13 +111,17 @@ def hinges_of(wall: Wall, building: Building | None) -> Sequence[float]:
 def find_unchecked_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     """Hinges that a wall about its base has too and that nobody looks at [m]: their motion is not known without its
     building, or the engineer leaves them out."""
-    asked = wall.hinge_heights
-    if (building is None or building.modes) and (free := highest_hold(wall, building)) is not None:
-        return (free,)  # what moves it there is not known, the participation of modes at one height alone
-    if asked is None:
-        return () if building else default_hinges(wall, None)
-    looked = turning_hinges(wall, building)
-    return tuple(h for h in default_hinges(wall, building) if all(abs(h - one) > SAME_HINGE for one in looked))
+    # what moves it at its highest hold is not known without it, the participation of modes at one height alone
+    free = highest_hold(wall, building) if building is None or building.modes else None
+    usual: Sequence[float] = default_hinges(wall, building)
+    if wall.hinge_heights is not None:
+        looked = turning_hinges(wall, building)
+        usual = [height for height in usual if all(abs(height - hinge) > SAME_HINGE for hinge in looked)]
+    elif building is not None:
+        usual = ()
+    if free is None:
+        return tuple(usual)
+    return tuple(sorted({free, *(height for height in usual if abs(height - free) > SAME_HINGE)}))
 
 
 def storey_ends(wall: Wall, building: Building) -> tuple[float, ...]:

@@ -1,5 +1,6 @@
 """What is wrong with the holds of a wall, and how the keys that said the same before are written now."""
 
+import json
 from collections.abc import Mapping
 from typing import Any
 
@@ -109,7 +110,7 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
     loads = table.get("load")
     for n, load in enumerate(loads if isinstance(loads, list | tuple) else [], start=1):
         if isinstance(load, Mapping) and load.get("kind") == TIE:
-            raise InputError("old_key", place=(here, place("load", n=n)), key="kind", written=rewritten(table))
+            raise InputError("old_tie", place=(here, place("load", n=n)), key="kind", written=rewritten(table))
 
 
 def rewritten(table: Mapping[str, Any]) -> str:
@@ -141,7 +142,7 @@ def _tie_in_words(load: Mapping[str, Any]) -> str:
     share, length = load.get("elongation"), load.get("bar_length_m")
     names = {"kind": "kind", "h_m": "h_m", "kn_m": "out_kn_m"} | {key: key for key in OF_A_TIE if key != "design"}
     keys = [f"{new} = {_toml_value(load[old])}" for old, new in names.items() if old in load]
-    if share is not None and isinstance(length, float | int):
+    if isinstance(share, float | int) and isinstance(length, float | int):
         keys.append(f"elongation_m = {share * length:.6g}")
     return ", ".join(keys)
 
@@ -175,4 +176,4 @@ def _toml_value(value: Any) -> str:
         return f"{{ {', '.join(f'{key} = {_toml_value(inner)}' for key, inner in value.items())} }}"
     if isinstance(value, bool):
         return str(value).lower()
-    return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"' if isinstance(value, str) else str(value)
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else str(value)

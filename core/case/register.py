@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 from core.case.directions import falls_sooner_along
-from core.case.hinges import WallPart, find_unchecked_hinges, leaves_end_open
+from core.case.hinges import WallPart, find_unchecked_hinges, highest_hold, leaves_end_open
 from core.case.hold import AT_A_HEIGHT
 from core.case.set_aside import (
     CORNER,
@@ -104,19 +104,20 @@ def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[Regis
         leave(VERTICAL_BENDING, sentence("reason", "stretches_left_out", set_aside=Key("set_aside")))
     if aspect:
         return rows
-    unchecked = find_unchecked_hinges(wall, building)
-    left = [height for height in unchecked if _set_aside(wall, OVERTURNING, height) is None]
+    unchecked, free_above = find_unchecked_hinges(wall, building), highest_hold(wall, building)
+    names = {height: PART_ABOVE if height == free_above else OVERTURNING for height in unchecked}
+    left = [height for height in unchecked if _set_aside(wall, names[height], height) is None]
     code = "heights_left_out" if wall.hinge_heights is None else "hinges_as_asked"
     keys = {"key": Key("hinge_heights"), "building": Key("[building]")}
     why = sentence("reason", code, heights=tuple(Number(height, ".4g") for height in left), **keys)
     for height in (*left[:1], *(height for height in unchecked if height not in left)):
-        leave(OVERTURNING, why, height)
+        leave(names[height], why, height)
     if leaves_end_open(wall, building):
         keys = {"key": Key("to_m"), "building": Key("[building]")}
         leave(PART_ABOVE, sentence("reason", "end_left_open", **keys))
     if wall.leans and wall.held_by is not None and wall.held_by.only_there:
         leave(HORIZONTAL_BENDING, sentence("reason", "no_arch", arch=Key("spacing_m")))
-    if falls_sooner_along(wall):
+    if falls_sooner_along(wall, free_above):
         leave(DIRECTION, sentence("reason", "direction_left_out", set_aside=Key("set_aside")))
     return rows
 
@@ -124,6 +125,8 @@ def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[Regis
 def _set_aside(wall: Wall, name: str, hinge: float | None) -> SetAside | None:
     """What sets a mechanism aside, over the whole wall or about a hinge [m]."""
     low, high = (0.0, wall.height_m) if hinge is None else (hinge, hinge)
+    if hinge is None and name == PART_ABOVE:  # of which nobody says where it begins
+        low = wall.height_m or 0.0
     return next((entry for entry in wall.set_aside if entry.covers(name, low, high)), None)
 
 
@@ -140,8 +143,10 @@ def _why_not(name: str, wall: Wall) -> str:
         return "held_at_top"
     if name == PART_ABOVE and wall.restraints:
         return "held_to_top"
-    if name == DIRECTION and (wall.restraints or wall.bends):
+    if name == DIRECTION and (wall.leans or wall.bends):
         return "held_in_plane"
+    if name == DIRECTION and wall.length_m is None:
+        return "taken_as_long"
     return {
         VERTICAL_BENDING: "stands_free",
         HORIZONTAL_BENDING: "no_cross_walls",

@@ -299,7 +299,7 @@ def _check_alone(wall: Wall) -> None:
         check_held_top(wall)
         check_holds(wall)
         for n, entry in enumerate(wall.set_aside, start=1):
-            check_set_aside(entry, (place("wall", name=wall.title), place("set_aside", n=n)))
+            check_set_aside(entry, wall.height_m, (place("wall", name=wall.title), place("set_aside", n=n)))
         check_arch(wall)
         check_leaf(wall)
         for mechanism in wall.mechanisms():

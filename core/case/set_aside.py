@@ -45,11 +45,16 @@ class SetAside:
         return sentence("mechanism", "shown", kind=sentence("word", f"evidence_{shown.kind}"), more=more)
 
 
-def check_set_aside(entry: SetAside, here) -> None:
-    """Raise InputError for what is set aside without a document, or between heights that are none. here : its place"""
+def check_set_aside(entry: SetAside, height: float | None, here) -> None:
+    """Raise InputError for what is set aside without a document, or between heights that are none of the wall.
+
+    height : of the wall [m]; here : its place
+    """
     if entry.evidence is None:
         raise InputError("set_aside_evidence", place=here, key="evidence")
     if not entry.evidence.reference.strip():
-        raise InputError("document_reference", place=here, key="reference", kind=entry.evidence.kind)
-    if entry.to_m is not None and entry.to_m < (entry.from_m or 0.0):
-        raise InputError("hold_reversed", place=here, key="to_m", found=entry.to_m, least=entry.from_m or 0.0)
+        raise InputError("set_aside_reference", place=here, key="reference")
+    most = math.inf if height is None else height + NEAR
+    for name, found, least in (("from_m", entry.from_m, 0.0), ("to_m", entry.to_m, entry.from_m or 0.0)):
+        if found is not None and not least <= found <= most:
+            raise InputError("set_aside_heights", place=here, key=name, found=found, least=least, most=height or 60.0)

@@ -1,17 +1,20 @@
 """Columns of a table of walls: titles of each key in both languages, units, and the wall that a row of cells is."""
 
 import functools
+import itertools
 import re
 from collections.abc import Iterable
 from dataclasses import Field, fields
 from difflib import get_close_matches
 from typing import NamedTuple
 
+from core.case.directions import LONGEST
 from core.case.hinges import BASE, FLOORS
 from core.case.hold import HOLDS, PRESENCE, STRENGTH, TIE
 from core.case.keys import NESTED
 from core.case.number import parse_quantity
 from core.case.rules import parse_wall
+from core.case.set_aside import ROWS
 from core.case.tie_rules import OF_A_TIE
 from core.case.values import field_of
 from core.case.wall import Wall
@@ -61,10 +64,10 @@ def _columns_of(entry: Field, n: int, before: list[str]) -> dict[str, Column]:
         for language, title in enumerate(before):
             titles |= {f"{title} {end}" for end in _titles(inner.name, language)}
         by_name[name] = Column(inner, frozenset(titles), WORDS_OF_CHOICE.get(f"{entry.name}.{inner.name}", {}))
-    document = entry.metadata["of"].__dataclass_fields__.get("evidence")
-    if document is not None:
-        both = zip(before, CATALOGUE["key"]["evidence.column"], strict=True)
-        by_name.update(_columns_of(document, n, [f"{title} {word}" for title, word in both]))
+    for inner in fields(entry.metadata["of"]):
+        if inner.metadata["kind"] == "section":
+            both = zip(before, CATALOGUE["key"][f"{inner.name}.column"], strict=True)
+            by_name.update(_columns_of(inner, n, [f"{title} {word}" for title, word in both]))
     return by_name
 
 
@@ -119,6 +122,7 @@ WORDS_OF_CHOICE = {
     "mechanism": MECHANISMS,
     "load.kind": LOAD_KINDS,
     "load.mass": LOAD_MASSES,
+    "set_aside.mechanism": _catalogue_words(ROWS),
     "hold.kind": _catalogue_words(HOLDS) | {"tirante": TIE},
     "evidence.kind": _catalogue_words((*PRESENCE, *STRENGTH)),
 }
@@ -136,9 +140,10 @@ OLD_STARTS = {
     "arch ": "hold1_spacing_m",
     "arco ": "hold1_spacing_m",
     "arch_": "hold1_spacing_m",
-    **dict.fromkeys(("tie_", "tie height", "tie spacing", "quota catena", "interasse catene"), "hold1_design"),
-    **dict.fromkeys(("tie bar length", "lunghezza barra catena"), "hold1_bar_length_m"),
-    **dict.fromkeys(("tie elongation", "allungamento catena"), "hold1_elongation_m"),
+    **dict.fromkeys(("tie_height", "tie height", "quota catena"), "hold1_h_m"),
+    **dict.fromkeys(("tie_spacing", "tie spacing", "interasse catene"), "hold1_spacing_m"),
+    **dict.fromkeys(("tie_bar", "tie bar length", "lunghezza barra catena"), "hold1_bar_length_m"),
+    **dict.fromkeys(("tie_elong", "tie elongation", "allungamento catena"), "hold1_elongation_m"),
 }
 OLD_STARTS |= {f"load{n}_{key}": f"hold{n}_{key}" for n in range(1, MAX_LOADS + 1) for key in OF_A_TIE}
 OLD_STARTS |= {f"load{n}_elongation": f"hold{n}_elongation_m" for n in range(1, MAX_LOADS + 1)}
@@ -240,9 +245,11 @@ def _gather(table: dict) -> None:
             continue
         starts = dict.fromkeys(entry.metadata["columns"].format(n=n) for n in range(1, MAX_LOADS + 1))
         parts = [{key.removeprefix(at): table.pop(key) for key in list(table) if key.startswith(at)} for at in starts]
-        for part in parts:
-            shown = {key.removeprefix("evidence_"): part.pop(key) for key in list(part) if key.startswith("evidence_")}
-            part.update({"evidence": shown} if shown else {})
+        sections = [inner for inner in fields(entry.metadata["of"]) if inner.metadata["kind"] == "section"]
+        for part, inner in itertools.product(parts, sections):
+            own = [own.name for own in fields(inner.metadata["of"]) if f"{inner.name}_{own.name}" in part]
+            shown = {name: part.pop(f"{inner.name}_{name}") for name in own}
+            part.update({inner.name: shown} if shown else {})
         if given := [part for part in parts if part]:
             table[entry.name] = given if entry.metadata["kind"] == "tables" else given[0]
 
@@ -258,6 +265,8 @@ def _heads(cells: list[str]) -> list[str]:
             raise InputError("variant_of_in_table", column=cell[:60])
         if written := _name_of_older(name):
             raise InputError("old_column", column=cell[:60], written=written)
+        if name in ("all_directions", "all directions", "tutte le direzioni"):
+            raise InputError("directions_by_themselves", key=cell[:60], most=LONGEST)
         if name not in known:
             near = dict.fromkeys(known[title] for title in get_close_matches(name, known, 5))
             plain = (column for column in columns() if not _OF_PARTS.search(column))
@@ -276,6 +285,9 @@ def _name_of_older(title: str) -> str | None:
     keys = (key for key in OF_A_TIE for language in range(len(LANGUAGES)) if tie[2] in _titles(key, language))
     return next((f"hold{tie[1]}_{key}" for key in keys), None)
 
+
+OLD_TIE = re.compile(r"load\d_kind (tie|catena|tirante)")
+"""Cells that said that a load is a tie."""
 
 _OF_A_LOAD = re.compile(r"(?:carico|load) (\d) (.+)")
 
@@ -333,6 +345,10 @@ def _cell(key: str, factor: float, cell: str, here: Sentence):
     """Read the value of a cell. here : its place, for an error"""
     entry, words = columns()[key].entry, columns()[key].words
     kind = entry.metadata["kind"]
+    if OLD_TIE.fullmatch(f"{key} {cell.lower()}"):
+        raise InputError(
+            "old_column", column=f"{key} = {cell[:40]}", written=key.replace("load", "hold"), place=(here,)
+        )
     if words:
         return _one_of(cell.replace("_", "-") if key == "mechanism" and cell.isascii() else cell, words, here)
     if kind in ("text", "choice", "law", "polygon"):

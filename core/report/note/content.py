@@ -386,7 +386,10 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
     for title, entry in aside:
         named = {"mechanism": localized("mechanism", entry.mechanism, words.language)}
         named["document"] = entry.shown_by.text(words.language)
-        ticks.append(Item(say("{wall}: {mechanism} is set aside, {document}", wall=title, **named), sign="☑"))
+        low, high = (words.number(height, "g") for height in (entry.from_m or 0.0, entry.to_m))
+        named["where"] = f"{low}–{high} m" if entry.to_m is not None else f"≥ {low} m"
+        line = say("{wall}: {mechanism}, {where}, is set aside, {document}", wall=title, **named)
+        ticks.append(Item(line, sign="☑"))
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
         shared += [(say("demand"), warning.text(words.language)) for warning in result.demand_required.warnings]

@@ -12,6 +12,7 @@ from core.case.register import find_left_out
 from core.case.rules import parse_case
 from core.errors import InputError
 from core.setting.check_input import make_rocking_model
+from core.study.register import make_register
 from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
 
@@ -97,7 +98,6 @@ def test_that_the_worst_direction_is_the_verdict_and_each_has_its_histories():
     "changes",
     [
         {"mechanism": "one_sided"},
-        {"hold": [{"kind": "contact"}]},
         {"length_m": None},
         {"unit_weight_kn_m3": None},
         {"gable_m": 0.5},
@@ -119,6 +119,29 @@ def test_that_a_direction_that_falls_sooner_and_is_not_known_is_left_out(length,
     wall |= {"law": "rigid", "load": [off | {"kind": "vertical", "mass": "none"}]}
     (part,) = make_wall_parts(0, parse_case({"wall": [wall]}).wall[0], None)
     assert ("direction_left_out" in [why.code for why in find_left_out(part, None)]) == left_out
+
+
+@pytest.mark.parametrize("hold", [{"kind": "anchor", "h_m": 0.05}, {"kind": "contact"}, {"kind": "cross_walls"}])
+def test_that_a_hold_that_holds_nothing_takes_no_direction_away(hold):
+    """0.90 at 90 degrees; with an anchor at 5 cm, of no strength, 1.80 and verified."""
+    wall = PINNACLE | {"height_m": 3.0, "thickness_m": 1.0, "length_m": 0.5, "hold": [hold]}
+    (case,) = parse_case({"wall": [wall]}).wall
+    assert [part.aspect for part in make_wall_parts(0, case, None)][:2] == ["", "90°"]
+
+
+def test_that_a_pier_that_is_free_above_its_holds_leaves_its_length_out():
+    wall = PINNACLE | {"mechanism": "one_sided", "height_m": 3.4, "thickness_m": 1.0, "length_m": 0.5}
+    wall |= {"hold": [{"kind": "contact", "to_m": 0.4}]}
+    part = make_wall_parts(0, parse_case({"wall": [wall]}).wall[0], None)[0]
+    assert "direction_left_out" in [why.code for why in find_left_out(part, None)]
+
+
+def test_that_a_wall_without_a_length_is_said_to_be_taken_as_long():
+    table = {key: value for key, value in PINNACLE.items() if key != "length_m"}
+    table |= {"unloaded_confirmed": True, "elastic_modulus_mpa": 1000.0}
+    result = run(clauses_alone({"wall": [table], "demand": DEMAND}), base_dir=Path())
+    (row,) = (looked.row for looked in make_register(result, result.verdicts[0]) if looked.row.name == "direction")
+    assert row.why.code == "taken_as_long"
 
 
 def test_that_the_older_flag_is_refused_with_what_is_done_now():

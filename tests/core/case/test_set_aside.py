@@ -65,9 +65,11 @@ def test_that_what_is_set_aside_has_its_row_with_its_document():
     ("entry", "code", "key"),
     [
         (entry_of("overturning", None), "set_aside_evidence", "evidence"),
-        (entry_of("overturning", {"kind": "survey"}), "document_reference", "reference"),
-        (entry_of("overturning", {"kind": "survey", "reference": "  "}), "document_reference", "reference"),
-        (entry_of("overturning", from_m=3.0, to_m=2.0), "hold_reversed", "to_m"),
+        (entry_of("overturning", {"kind": "survey"}), "set_aside_reference", "reference"),
+        (entry_of("overturning", {"kind": "survey", "reference": "  "}), "set_aside_reference", "reference"),
+        (entry_of("overturning", from_m=3.0, to_m=2.0), "set_aside_heights", "to_m"),
+        (entry_of("overturning", from_m=6.5), "set_aside_heights", "from_m"),
+        (entry_of("overturning", to_m=6.5), "set_aside_heights", "to_m"),
         (entry_of("sliding"), "not_accepted", "mechanism"),
     ],
 )
@@ -75,6 +77,29 @@ def test_that_what_is_set_aside_is_said_whole(entry, code, key):
     with pytest.raises(InputError) as refused:
         study(entry)
     assert (refused.value.code, refused.value.key) == (code, key)
+
+
+@pytest.mark.shows("free.gate")
+def test_that_one_height_set_aside_hides_no_other_where_the_building_is_not_known():
+    """A step at 3 m and a part above its holds from 5.5 m: 1.35 and verified with the latter alone set aside; with its
+    building the wall fails at the step."""
+    step = {"steps": [{"from_z_m": 3.0, "thickness_m": 0.3}], "height_m": 7.0, "length_m": 10.0}
+    held = {"hold": behind("survey", to_m=5.5), "unloaded_confirmed": True}
+    wall = {key: value for key, value in WALL.items() if key not in ("load", "hinge_heights")} | step | held
+    wall |= {"set_aside": [entry_of("part_above", from_m=5.5)]}
+    demand = {"demand": CASE["demand"] | {"ag_g": 0.12}, "analysis": CASE["analysis"]}
+    result = run(parse_case(demand | {"wall": [wall]}), base_dir=".")
+    assert outcome(result) == "indicative"
+    found = {(row.name, row.hinge): row.status for row in rows(result)}
+    assert found["overturning", 3.0] == "not_looked_at" and found["part_above", 5.5] == SET_ASIDE
+
+
+def test_that_the_part_above_is_set_aside_where_nobody_says_where_it_begins():
+    wall = {"hold": behind(), "set_aside": [entry_of("part_above", from_m=5.0, to_m=6.0)], "hinge_heights": None}
+    case = {key: value for key, value in CASE.items() if key != "building"}
+    table = {key: value for key, value in (WALL | wall).items() if value is not None}
+    result = run(parse_case(case | {"wall": [table]}), base_dir=".")
+    assert {row.status for row in rows(result) if row.name == "part_above"} == {SET_ASIDE}
 
 
 def test_that_the_older_reason_is_refused_with_its_new_line():

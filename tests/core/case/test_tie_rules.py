@@ -2,9 +2,10 @@
 
 import pytest
 
-from core.case.hold import AT_A_HEIGHT, HOLDS
+from core.case.hold import AT_A_HEIGHT, HOLDS, Bars, Hold
 from core.case.rules import parse_case, parse_draft
 from core.case.tie_rules import OF_A_TIE
+from core.case.wall_table import parse_wall_rows, text_rows
 from core.errors import InputError
 from tests.holds import sought
 from tests.validation.test_loaded_walls import TIE, WALL, case_of
@@ -93,9 +94,23 @@ def test_that_a_tie_among_the_loads_is_refused_with_its_new_writing():
     for read in (parse_case, parse_draft):
         with pytest.raises(InputError) as caught:
             read({"wall": [{**WALL, "load": [older]}]})
-        assert (caught.value.code, caught.value.key) == ("old_key", "kind")
-        (written,) = tomllib.loads(caught.value.text("en").partition("now: ")[2])["hold"]
+        assert (caught.value.code, caught.value.key) == ("old_tie", "kind")
+        (written,) = tomllib.loads(caught.value.text("en").rpartition("the wall: ")[2])["hold"]
         assert written == TIE
+    for share in ("0.04", [0.04], "4%"):
+        with pytest.raises(InputError):
+            parse_case({"wall": [{**WALL, "load": [{**older, "elongation": share}]}]})
+
+
+def test_that_a_table_of_walls_has_ties_with_their_bars_and_refuses_a_tie_among_its_loads():
+    head = "name;H [m];t [m];L [m];peso specifico [kN/m3];mechanism;vincolo 1;vincolo 1 h [m];"
+    row = "A;3;0,45;6;18;one_sided;catena;2,8;"
+    bars = "hold1_bar_length_m [m];hold1_bar_number;hold1_bar_diameter_mm [mm];hold1_bar_anchorage_kn [kN]"
+    (wall,) = parse_wall_rows(text_rows(f"{head}{bars}\n{row}8;4;24;170\n"))
+    assert wall.hold == (Hold("tie", h_m=2.8, bar_length_m=8.0, bar=Bars(4, 24.0, anchorage_kn=170.0)),)
+    with pytest.raises(InputError) as caught:
+        parse_wall_rows(text_rows("name;H [m];t [m];mechanism;Carico 1;Carico 1 h [m]\nA;3;0,45;one_sided;catena;2\n"))
+    assert caught.value.code == "old_column" and "hold1_kind" in caught.value.text("en")
 
 
 @pytest.mark.parametrize(

@@ -19,6 +19,7 @@ LIFTING = re.compile(
 STATES = {
     "directions_by_themselves",
     "old_column",
+    "old_tie",
     "tie_sought",
     "tie_sought_low",
     "two_sought",
