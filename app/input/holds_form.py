@@ -8,7 +8,7 @@ from app.input.optional_group import OptionalGroup
 from app.look.language import current_language, number, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
-from core.case.hold import AT_A_HEIGHT, BETWEEN, HOLDS, TIE, Bars, Document, Hold
+from core.case.hold import HOLD_KINDS, Bars, Document, Hold, hold_kind
 from core.case.hold_rules import OF_ENDS
 from core.case.tie_rules import NOT_SOUGHT, OF_A_TIE
 from core.text.sentence import capital, choice
@@ -17,7 +17,7 @@ from core.text.sentence import capital, choice
 def hold_words(hold: Hold) -> str:
     """A hold in the list."""
     said = [hold.name or capital(choice(hold.kind, current_language()))]
-    if hold.kind in AT_A_HEIGHT:
+    if hold.has_height:
         said.append(f"h {_shown(hold.h_m)} m")
     elif hold.spacing_m is not None:
         said.append(f"L {_shown(hold.spacing_m)} m")
@@ -35,21 +35,21 @@ def _shown(value) -> str:
 def _hold_has(hold: Hold, key: str) -> bool:
     """Whether a hold of this kind has this key."""
     if key == "h_m":
-        return hold.kind in AT_A_HEIGHT
+        return hold.has_height
     if key in ("from_m", "to_m"):
-        return hold.kind not in AT_A_HEIGHT
+        return not hold.has_height
     if key in OF_ENDS:
-        return hold.kind in BETWEEN and hold.spacing_m is not None
+        return hold.is_local and hold.spacing_m is not None
     if key == "spacing_m":
-        return hold.kind in BETWEEN or hold.design
-    if key in OF_A_TIE and hold.kind != TIE:
+        return hold.is_local or hold.design
+    if key in OF_A_TIE and not hold.is_bar:
         return False
     if key in NOT_SOUGHT and hold.design:
         return False
     if key == "fy_mpa":
         return hold.bar is None
     if key == "out_kn_m":
-        return hold.bar is None and (hold.kind in AT_A_HEIGHT or hold.spacing_m is not None)
+        return hold.bar is None and (hold.has_height or hold.spacing_m is not None)
     return True
 
 
@@ -59,7 +59,7 @@ class HoldsForm(EntriesForm):
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__(session, index, "hold", {}, hold_words, _hold_has)
         self.list.setAccessibleName(tr("Holds"))
-        self.add_button = self.add_menu(tr("Add a hold"), HOLDS, self.add)
+        self.add_button = self.add_menu(tr("Add a hold"), tuple(HOLD_KINDS), self.add)
         self.delete_button.setText(tr("Delete this hold"))
         bars, empty = Bars(TO_BE_GIVEN, TO_BE_GIVEN), Document(TO_BE_GIVEN)
         self.bars = OptionalGroup(tr("Bars in place of the force"), "bar", bars, lambda: self.entry, self._edit_bars)
@@ -82,13 +82,13 @@ class HoldsForm(EntriesForm):
     def add(self, kind: str) -> None:
         """A hold at the top of the wall, or over its height."""
         if self.wall is not None:
-            at = (self.wall.height_m or TO_BE_GIVEN) if kind in AT_A_HEIGHT else None
+            at = (self.wall.height_m or TO_BE_GIVEN) if hold_kind(kind).has_height else None
             self.append(Hold(kind, h_m=at))
 
     def show_tie(self) -> None:
         """Show the first tie, if there is one and none is shown."""
-        row = next((k for k, hold in enumerate(self.entries) if hold.kind == TIE), None)
-        if row is not None and not (self.entry and self.entry.kind == TIE):
+        row = next((k for k, hold in enumerate(self.entries) if hold.is_bar), None)
+        if row is not None and not (self.entry and self.entry.is_bar):
             self.list.setCurrentRow(row)
 
     def focus_missing(self) -> None:
@@ -105,10 +105,10 @@ class HoldsForm(EntriesForm):
         hold = super().changed(entry, key, value)
         if key not in ("kind", "design"):
             return hold
-        hold = hold if hold.kind == TIE else replace(hold, bar=None)
+        hold = hold if hold.is_bar else replace(hold, bar=None)
         gone = {field.key: field.entry.default for field in self.fields if not _hold_has(hold, field.key)}
         hold = replace(hold, **gone)
-        if value in AT_A_HEIGHT and hold.h_m is None and self.wall is not None:
+        if hold.has_height and hold.h_m is None and self.wall is not None:
             hold = replace(hold, h_m=self.wall.height_m or TO_BE_GIVEN)
         return hold
 

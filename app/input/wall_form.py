@@ -40,7 +40,6 @@ from app.look.language import FORM_NAMES, current_language, describe_message, nu
 from app.look.section import FoldingSection, unfold_to
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
-from core.case.hold import AT_A_HEIGHT
 from core.case.loads import ReturnWalls
 from core.case.solids import InPlan
 from core.case.values import check_value
@@ -394,7 +393,7 @@ class WallForm(WallEditor):
         """A load or a hold was dragged to another height."""
         if self.wall is None or k >= len(entries := getattr(self.wall, kind)) or height <= 0.0:
             return
-        key = "to_m" if kind == "hold" and entries[k].kind not in AT_A_HEIGHT else "h_m"
+        key = "to_m" if kind == "hold" and not entries[k].has_height else "h_m"
         moved = tuple(replace(entry, **{key: height}) if n == k else entry for n, entry in enumerate(entries))
         self.edit(kind, k, key, **{kind: moved})
 

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.look import theme
 from app.look.language import number
-from core.case.hold import AT_A_HEIGHT, TIE, Hold
+from core.case.hold import Hold
 from core.case.wall import Wall
 from core.errors import InputError
 
@@ -45,13 +45,13 @@ def find_hold_marks(wall: Wall, height: float) -> list[HoldMark]:
     """The ties of a wall, and what a wall leans on; what is still to be given is its top, or its base."""
     marks, leans = [], wall.leans or wall.bends
     for k, hold in enumerate(wall.hold):
-        if not leans and hold.kind != TIE:
+        if not leans and not hold.is_bar:
             continue
         strength = find_strength(wall, hold)
         words = "" if strength is None else f"{number(strength, '.3g')} kN/m"
-        if hold.kind in AT_A_HEIGHT:
+        if hold.has_height:
             at = _given(hold.h_m, height)
-            marks.append(HoldMark(k, at, at, words, hold.kind == TIE))
+            marks.append(HoldMark(k, at, at, words, hold.is_bar))
         else:
             marks.append(HoldMark(k, _given(hold.from_m, 0.0), min(height, _given(hold.to_m, height)), words))
     behind = any(hold.is_contact for hold in wall.hold)

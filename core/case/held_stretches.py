@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from core.case.hold import AT_A_HEIGHT, TIE, Document, Hold, ShareOfHold
+from core.case.hold import TIE, Document, Hold, ShareOfHold
 from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
@@ -36,7 +36,7 @@ class HeldStretch(NamedTuple):
 
 def stands_outward(hold: Hold) -> bool:
     """Whether a floor, a roof, a ring beam or an anchor is said to hold a wall outward."""
-    return hold.kind in AT_A_HEIGHT and hold.kind != TIE and hold.out_kn_m is not None
+    return hold.has_height and not hold.is_bar and hold.out_kn_m is not None
 
 
 def find_held_stretches(wall: Wall) -> list[HeldStretch]:

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 
-from core.case.hold import TIE
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.codes.vertical_bending import bending
@@ -31,7 +30,7 @@ def check_held_top(wall: Wall) -> None:
         raise InputError("bending_finds_hinge", place=here, key="hinge_heights")
     if wall.return_walls is not None:
         raise InputError("bending_return_walls", place=here, key="return_walls")
-    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.kind == TIE), None):
+    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.is_bar), None):
         raise InputError("bending_tie", place=(*here, place("hold", n=n)), key="kind")
     if wall.free_element:
         raise InputError("bending_not_free", place=here, key="free_element")

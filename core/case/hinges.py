@@ -10,7 +10,7 @@ from core.case.directions import directions_of, falls_all_ways
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
 from core.case.held_stretches import HeldStretch, find_held_stretches, highest_anchor
 from core.case.held_top import mirror_inward
-from core.case.hold import OF_BUILDING, TIE, Hold
+from core.case.hold import Hold, hold_kind
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.spanning import make_spanning_part, named_spanning, spans
@@ -139,7 +139,7 @@ def default_hinges(wall: Wall, building: Building | None) -> tuple[float, ...]:
     thickness there is above [m]. A mechanism may start at any of them (Circolare 7/2019 C8.7.1.2.1)."""
     if wall.height_m is None or wall.thickness is None or wall.bends:
         return ()
-    ties = (require_value(hold.h_m) for hold in wall.hold if hold.kind == TIE)
+    ties = (require_value(hold.h_m) for hold in wall.hold if hold.is_bar)
     loads = (*(load.h_m for load in wall.load), *ties)
     shape = changes(wall.parts) if wall.parts else ()
     others = [*loads, *(storey_ends(wall, building) if building else ())]
@@ -282,7 +282,7 @@ def _heights(holds: Iterable[Hold]) -> set[float]:
 def _tops_of_holds(wall: Wall, building: Building | None) -> list[float | None]:
     """Heights above the base of a wall up to which each of its holds holds it [m]; None of one whose end nobody
     says."""
-    least = [require_value(hold.h_m) for hold in wall.hold if hold.kind in OF_BUILDING]
+    least = [require_value(hold.h_m) for hold in wall.hold if hold_kind(hold.kind).of_building]
     least = [max(least)] if least else []
     least += [wall.shoulder] if wall.gable_m else []
     least += [building.height_m - (wall.base_z_m or 0.0)] if building else []

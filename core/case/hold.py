@@ -10,20 +10,52 @@ from core.wall import arch, masonry, ties
 TIE = "tie"
 """Kind of hold that yields, and is gone beyond the elongation it stands."""
 
-AT_A_HEIGHT = "floor", "roof", "ring_beam", "anchor", TIE
-"""Holds that have a height."""
 
-OF_BUILDING = "floor", "roof"
-"""Holds up to the highest of which what has no end of its own holds a wall."""
+@dataclass(frozen=True)
+class HoldKind:
+    """A kind of hold, asked for what it is and recognised by no name.
 
-OUTWARD_ALONE = "anchor", TIE
-"""Holds that pull a wall back and stop it from nothing inward."""
+    name : as a case file has it
+    has_height : it is at a height; where not, it holds the wall over a stretch
+    of_building : what has no end of its own holds a wall up to the highest of these; may_rise : one of them above the
+        height of the building too
+    pulls : it pulls the wall back alone, and stops it from nothing inward
+    is_local : it holds a wall only where it stands along it
+    is_bar : it yields, is slack when the wall comes back, and is gone beyond the elongation it stands
+    """
 
-BETWEEN = "cross_walls", "buttress"
-"""Holds that hold a wall only where they stand along it."""
+    name: str
+    has_height: bool = False
+    of_building: bool = False
+    may_rise: bool = False
+    pulls: bool = False
+    is_local: bool = False
+    is_bar: bool = False
 
-HOLDS = (*AT_A_HEIGHT, *BETWEEN, "contact")
-"""Kinds of holds."""
+
+HOLD_KINDS = {
+    kind.name: kind
+    for kind in (
+        HoldKind("floor", has_height=True, of_building=True),
+        HoldKind("roof", has_height=True, of_building=True, may_rise=True),
+        HoldKind("ring_beam", has_height=True),
+        HoldKind("anchor", has_height=True, pulls=True),
+        HoldKind(TIE, has_height=True, pulls=True, is_bar=True),
+        HoldKind("cross_walls", is_local=True),
+        HoldKind("buttress", is_local=True),
+        HoldKind("contact"),
+    )
+}
+"""Name -> kind, in the order in which a person is offered them."""
+
+NO_KIND = HoldKind("")
+"""The kind of a draft that has none yet."""
+
+
+def hold_kind(name: str) -> HoldKind:
+    """The kind of this name; of a name that is none the one that is nothing."""
+    return HOLD_KINDS.get(name, NO_KIND)
+
 
 LEAST_BELOW_SOUGHT = 0.1
 """Least height of the part of a wall below a tie that is sought [m]."""
@@ -112,7 +144,7 @@ class Hold:
     design : it is not there yet: what it has to hold is sought
     """
 
-    kind: str = choice_key(*HOLDS)
+    kind: str = key("choice", MISSING, names=HOLD_KINDS)
     name: str = text_key()
     h_m: float | None = number_key(0.0, 60.0, unit="m", exclusive=True)
     from_m: float | None = number_key(0.0, 60.0, unit="m")
@@ -136,24 +168,39 @@ class Hold:
     evidence: Document | None = key("section", of=Document, columns="hold{n}_evidence_")
 
     @property
+    def has_height(self) -> bool:
+        """Whether it is at a height, not over a stretch."""
+        return hold_kind(self.kind).has_height
+
+    @property
+    def is_local(self) -> bool:
+        """Whether it holds a wall only where it stands along it."""
+        return hold_kind(self.kind).is_local
+
+    @property
+    def is_bar(self) -> bool:
+        """Whether it is a tie, one that is sought too."""
+        return hold_kind(self.kind).is_bar
+
+    @property
     def is_contact(self) -> bool:
         """Whether a wall leans on it."""
-        return self.kind not in OUTWARD_ALONE
+        return not hold_kind(self.kind).pulls
 
     @property
     def is_tie(self) -> bool:
         """Whether it is a tie that is there, not one that is sought."""
-        return self.kind == TIE and not self.design
+        return self.is_bar and not self.design
 
     @property
     def spans(self) -> bool:
         """Whether a wall spans between two of these."""
-        return self.kind in BETWEEN and self.spacing_m is not None
+        return self.is_local and self.spacing_m is not None
 
     @property
     def only_there(self) -> bool:
         """Whether it holds a wall only where it stands, and how far apart is not said."""
-        return self.kind in BETWEEN and not self.spans
+        return self.is_local and not self.spans
 
     @property
     def shows_strength(self) -> bool:
@@ -198,7 +245,7 @@ class Hold:
 
     def above(self, height: float) -> "Hold | None":
         """The hold as the part of a wall above a height of it has it [m]; None of what is lower."""
-        if self.kind in AT_A_HEIGHT:
+        if self.has_height:
             left = require_value(self.h_m) - height
             return replace(self, h_m=left) if left > (LEAST_BELOW_SOUGHT - 1e-9 if self.design else 1e-9) else None
         if self.to_m is not None and self.to_m <= height:
@@ -209,7 +256,7 @@ class Hold:
     def top(self, least: Iterable[float]) -> float | None:
         """Height up to which it holds [m]. least : those of which the lowest is that of cross walls, a buttress or
         contact without one of its own; None where there is none"""
-        return self.h_m if self.kind in AT_A_HEIGHT else self.to_m or min(least, default=None)
+        return self.h_m if self.has_height else self.to_m or min(least, default=None)
 
     def arch_in_si(
         self, height: float, thickness: float, unit_weight: float, strength: float, presses: float

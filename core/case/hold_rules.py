@@ -6,7 +6,7 @@ from typing import Any
 
 from core.case.directions import LONGEST
 from core.case.held_stretches import find_held_stretches, stands_outward
-from core.case.hold import AT_A_HEIGHT, BETWEEN, STRENGTH, TIE, Hold
+from core.case.hold import HOLD_KINDS, STRENGTH, TIE, Hold, hold_kind
 from core.case.site import Building
 from core.case.tie_rules import OF_A_TIE, check_tie
 from core.case.wall import Wall
@@ -39,12 +39,12 @@ def check_holds(wall: Wall) -> None:
 
 
 def _check_hold(wall: Wall, hold: Hold, here) -> None:
-    high = hold.kind in AT_A_HEIGHT
+    high = hold.has_height
     if high and hold.h_m is None:
         raise InputError("hold_needs", place=here, key="h_m", kind=hold.kind)
     others = ("from_m", "to_m") if high else ("h_m",)
-    others += () if hold.kind in BETWEEN else OF_ENDS if hold.design else ("spacing_m", *OF_ENDS)
-    others += ("out_kn_m",) if hold.kind == "contact" else ()
+    others += () if hold.is_local else OF_ENDS if hold.design else ("spacing_m", *OF_ENDS)
+    others += () if hold.has_height or hold.is_local else ("out_kn_m",)
     if given := [key for key in others if getattr(hold, key) not in (None, "")]:
         raise InputError("hold_key", place=here, key=given[0], kind=hold.kind)
     of_ends = [key for key in (*OF_ENDS, "out_kn_m") if getattr(hold, key) not in (None, "")]
@@ -65,7 +65,7 @@ def _check_height(wall: Wall, hold: Hold, here) -> None:
     for key in ("h_m", "from_m", "to_m"):
         if (at := getattr(hold, key)) is not None and at > height * (1.0 + TOP_TOLERANCE):
             raise InputError("hold_outside", place=here, key=key, found=at, most=height)
-    below = hold.kind in AT_A_HEIGHT and hold.h_m is not None and hold.h_m < height * (1.0 - TOP_TOLERANCE)
+    below = hold.has_height and hold.h_m is not None and hold.h_m < height * (1.0 - TOP_TOLERANCE)
     if below and wall.kinematics.bends_up:
         raise InputError("hold_below_top", place=here, key="h_m", found=hold.h_m, height=height)
 
@@ -76,7 +76,8 @@ def check_holds_of_building(wall: Wall, building: Building | None) -> None:
         return
     most = building.height_m - wall.base_z_m
     for n, hold in enumerate(wall.hold, start=1):
-        if hold.kind == "floor" and hold.h_m is not None and hold.h_m > most * (1.0 + TOP_TOLERANCE):
+        floor = hold_kind(hold.kind).of_building and not hold_kind(hold.kind).may_rise
+        if floor and hold.h_m is not None and hold.h_m > most * (1.0 + TOP_TOLERANCE):
             here = (place("wall", name=wall.title), place("hold", n=n))
             raise InputError("hold_above_building", place=here, key="h_m", found=hold.h_m, most=most)
 
@@ -109,7 +110,7 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
         raise InputError("old_key", place=(here,), key=old, written=rewritten(table))
     loads = table.get("load")
     for n, load in enumerate(loads if isinstance(loads, list | tuple) else [], start=1):
-        if isinstance(load, Mapping) and load.get("kind") == TIE:
+        if isinstance(load, Mapping) and hold_kind(str(load.get("kind"))).is_bar:
             raise InputError("old_tie", place=(here, place("load", n=n)), key="kind", written=rewritten(table))
 
 
@@ -121,7 +122,7 @@ def rewritten(table: Mapping[str, Any]) -> str:
     holds = [
         _hold_in_words(hold) for hold in (given if isinstance(given, list | tuple) else []) if isinstance(hold, Mapping)
     ]
-    holds += [_tie_in_words(load) for load in loads if load.get("kind") == TIE]
+    holds += [_tie_in_words(load) for load in loads if hold_kind(str(load.get("kind"))).is_bar]
     if any(key in table for key in OF_A_SOUGHT_TIE):
         keys = [f"{key.removeprefix('tie_')} = {table[key]}" for key in OF_A_SOUGHT_TIE[1:] if key in table]
         holds.append(
@@ -151,10 +152,10 @@ def _restraint_in_words(table: Mapping[str, Any]) -> str:
     """What the older keys of a restraint say, as a hold."""
     ends = dict(table["arch"]) if isinstance(table.get("arch"), Mapping) else {}
     restraint = str(table.get("back_restraint") or "")
-    kind = OLD_KINDS.get(restraint, restraint if restraint in (*AT_A_HEIGHT, *BETWEEN) else "contact")
-    kind = kind if not ends or kind in BETWEEN else "cross_walls"
+    kind = OLD_KINDS.get(restraint, restraint if restraint in HOLD_KINDS else "contact")
+    kind = kind if not ends or hold_kind(kind).is_local else "cross_walls"
     keys = [f'kind = "{kind}"']
-    if kind in AT_A_HEIGHT:
+    if hold_kind(kind).has_height:
         at = table.get("height_m") if kinematics(str(table.get("mechanism"))).bends_up else None
         keys.append(f"h_m = {'...' if at is None else at}")
     if table.get("restraint_kn_m") is not None:

@@ -3,7 +3,6 @@
 import math
 from dataclasses import replace
 
-from core.case.hold import TIE
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.errors import InputError, place
@@ -31,7 +30,7 @@ def check_given(wall: Wall) -> None:
     """Raise InputError for loads that are not complete, contradict each other or are not on the wall."""
     here, across = (place("wall", name=wall.title),), wall.return_walls
     sized = wall.height_m is not None and wall.thickness is not None and wall.unit_weight_kn_m3 is not None
-    if not sized and (wall.load or across or any(hold.kind == TIE for hold in wall.hold)):
+    if not sized and (wall.load or across or any(hold.is_bar for hold in wall.hold)):
         raise InputError("loads_need_weight", place=here)
     if across is not None:
         if wall.length_m is None:

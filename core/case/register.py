@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 from core.case.directions import falls_sooner_along
 from core.case.hinges import WallPart, find_unchecked_hinges, highest_hold, leaves_end_open
-from core.case.hold import AT_A_HEIGHT
 from core.case.set_aside import (
     CORNER,
     DIRECTION,
@@ -137,7 +136,7 @@ def _why_not(name: str, wall: Wall) -> str:
     if name == VERTICAL_BENDING and wall.ties:
         return "turns_before"
     if name == VERTICAL_BENDING and wall.restraints:
-        at_heights = all(hold.kind in AT_A_HEIGHT for hold in wall.restraints)
+        at_heights = all(hold.has_height for hold in wall.restraints)
         return "turns_outward_before" if at_heights else "held_all_along"
     if name == PART_ABOVE and wall.bends:
         return "held_at_top"

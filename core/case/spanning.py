@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from core.case.hold import TIE, Hold
+from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.tie_rules import MAX_STRAIN
 from core.case.wall import Wall
@@ -134,6 +134,6 @@ def check_arch(wall: Wall) -> None:
     if wall.law not in ("auto", "rigid"):
         raise InputError("arch_key", place=here, key="law")
     keys = {"tie": Key("tie_kn_m"), "arch": Key("[[wall.hold]]")}
-    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.kind == TIE), None):
+    if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.is_bar), None):
         raise InputError("arch_tie", place=(*here, place("hold", n=n)), key="kind", **keys)
     bending(wall.in_si)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from core.case.above_hinge import cut_above_hinge, solid_of
 from core.case.held_top import mirror_inward
-from core.case.hold import AT_A_HEIGHT, TIE, Document, ShareOfHold
+from core.case.hold import TIE, Document, ShareOfHold
 from core.case.loads import Load
 from core.case.shape import cut_between
 from core.case.wall import Wall
@@ -83,7 +83,7 @@ def find_inward_spans(
 
     hinges : about which it turns; outward : stretches that are looked at as they bend both ways
     """
-    floors = sorted({require_value(hold.h_m) for hold in wall.restraints if hold.kind in AT_A_HEIGHT})
+    floors = sorted({require_value(hold.h_m) for hold in wall.restraints if hold.has_height})
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     if not sized or len(floors) < len(wall.restraints) or not wall.leans or not is_one_sheet(wall):
         return []

@@ -1,6 +1,6 @@
 """What is wrong with the ties of a wall: not complete, contradicting themselves, or no bar that there can be."""
 
-from core.case.hold import LEAST_BELOW_SOUGHT, TIE, Bars, Hold
+from core.case.hold import LEAST_BELOW_SOUGHT, Bars, Hold
 from core.case.wall import Wall
 from core.errors import InputError
 from core.known import require_value
@@ -22,7 +22,7 @@ MAX_THREAD = 1.5
 
 def check_tie(wall: Wall, hold: Hold, here) -> None:
     """Raise InputError for a tie that is not complete, contradicts itself, or is no bar. here : its place"""
-    if hold.kind != TIE:
+    if not hold.is_bar:
         if given := [key for key in OF_A_TIE if getattr(hold, key)]:
             raise InputError("hold_key", place=here, key=given[0], kind=hold.kind)
         return

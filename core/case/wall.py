@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
-from core.case.hold import AT_A_HEIGHT, OUTWARD_ALONE, TIE, Hold, ShareOfHold
+from core.case.hold import Hold, ShareOfHold, hold_kind
 from core.case.keys import choice_key, flag_key, key, number_key, section_to_dict, text_key
 from core.case.loads import Load, ReturnWalls
 from core.case.set_aside import SetAside
@@ -75,7 +75,7 @@ def leans_on_something(table: Mapping) -> bool:
     """Whether the keys of a wall have a hold that it leans on."""
     holds = table.get("hold")
     kinds = [hold.get("kind") for hold in holds if isinstance(hold, Mapping)] if isinstance(holds, list | tuple) else []
-    return any(kind not in OUTWARD_ALONE for kind in kinds)
+    return any(not hold_kind(str(kind)).pulls for kind in kinds)
 
 
 @dataclass(frozen=True)
@@ -229,7 +229,7 @@ class Wall(Shaped):
     @property
     def restraints(self) -> tuple[Hold, ...]:
         """What holds it but ties."""
-        return tuple(hold for hold in self.hold if hold.kind != TIE)
+        return tuple(hold for hold in self.hold if not hold.is_bar)
 
     @property
     def held_by(self) -> Hold | None:
@@ -244,7 +244,7 @@ class Wall(Shaped):
         return next((hold for hold in along if hold.evidence is None), next(iter(along), None))
 
     def _holds_top(self, hold: Hold) -> bool:
-        height, top = require_value(self.height_m), hold.h_m if hold.kind in AT_A_HEIGHT else None
+        height, top = require_value(self.height_m), hold.h_m if hold.has_height else None
         return top is not None and abs(top - height) <= TOP_TOLERANCE * height
 
     def _declared(self) -> Declared:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from core.case.directions import LONGEST
 from core.case.hinges import BASE, FLOORS
-from core.case.hold import HOLDS, PRESENCE, STRENGTH, TIE
+from core.case.hold import HOLD_KINDS, PRESENCE, STRENGTH, TIE
 from core.case.keys import NESTED
 from core.case.number import parse_quantity
 from core.case.rules import parse_wall
@@ -123,7 +123,7 @@ WORDS_OF_CHOICE = {
     "load.kind": LOAD_KINDS,
     "load.mass": LOAD_MASSES,
     "set_aside.mechanism": _catalogue_words(ROWS),
-    "hold.kind": _catalogue_words(HOLDS) | {"tirante": TIE},
+    "hold.kind": _catalogue_words(HOLD_KINDS) | {"tirante": TIE},
     "evidence.kind": _catalogue_words((*PRESENCE, *STRENGTH)),
 }
 """Key -> its words in a table; another choice is written as in the case file."""

@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from core.case.hold import TIE
 from core.case.load_rules import carries
 from core.case.wall import Wall
 from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
@@ -190,7 +189,7 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     rest to either side"""
     wall, hold = evaluation.scene.wall, evaluation.scene.wall.held_by
     # what holds a top has to be shown to stand, of what is behind a wall it is enough that it is there
-    enough = hold is not None and (not wall.bends or hold.shows_strength or hold.kind == TIE)
+    enough = hold is not None and (not wall.bends or hold.shows_strength or hold.is_bar)
     shown = hold.evidence if hold and enough else None
     code = "top_fails" if wall.bends else "restraint_fails"
     if wall.kinematics.arches:

@@ -15,7 +15,7 @@ from app.input.fields import ChoiceField, FlagField
 from app.look.section import FoldingSection, unfold_to
 from app.shell.header import STAGES
 from app.work.session import Session
-from core.case.hold import HOLDS
+from core.case.hold import HOLD_KINDS
 from core.case.loads import Load
 from core.case.values import field_of
 from core.case.writer import table_of
@@ -143,7 +143,7 @@ class Walk:
 
     def add_a_hold(self):
         """A tie as often as any other."""
-        kind = self.one_of(("tie", self.one_of(HOLDS)))
+        kind = self.one_of(("tie", self.one_of(tuple(HOLD_KINDS))))
         self.window.walls.holds.add(kind)
         return kind
 

@@ -6,7 +6,7 @@ import random
 import pytest
 
 from core.case.hinges import highest_hold, make_wall_parts
-from core.case.hold import AT_A_HEIGHT, BETWEEN, HOLDS, PRESENCE, STRENGTH
+from core.case.hold import HOLD_KINDS, PRESENCE, STRENGTH, hold_kind
 from core.case.hold_rules import OLD_KEYS
 from core.case.rules import parse_case, parse_draft
 from core.case.schema import Case
@@ -25,9 +25,9 @@ def case_of(**keys) -> Case:
     return parse_case({"wall": [WALL | keys], "building": {"height_m": 9.0, "storeys": 3, "period_s": 0.3}})
 
 
-@pytest.mark.parametrize("kind", HOLDS)
+@pytest.mark.parametrize("kind", HOLD_KINDS)
 def test_that_a_hold_of_every_kind_is_read_and_written_again(kind):
-    place = {"h_m": 3.0} if kind in AT_A_HEIGHT else {"from_m": 1.0, "to_m": 4.0}
+    place = {"h_m": 3.0} if hold_kind(kind).has_height else {"from_m": 1.0, "to_m": 4.0}
     place |= TIE if kind == "tie" else {}
     shown = {"kind": "test", "reference": "PT-04", "date": "2026-03-12", "note": "pulled to 12 kN"}
     case = case_of(hold=[{"kind": kind, "name": "x", "evidence": shown, **place}])
@@ -204,10 +204,10 @@ def test_that_any_holds_go_with_hinges_a_leaf_and_the_wall_unheld(seed):
     draw = random.Random(seed)
     height = draw.uniform(5.0, 9.0)
     holds = []
-    for kind in draw.choices(HOLDS, k=draw.randint(1, 4)):
+    for kind in draw.choices(tuple(HOLD_KINDS), k=draw.randint(1, 4)):
         low, high = sorted(round(draw.uniform(0.3, height - 0.1), 2) for _ in "ab")
         ends = draw.choice(({}, {"to_m": high}, {"from_m": low, "to_m": high + 0.05}))
-        keys = ({"h_m": high} if kind in AT_A_HEIGHT else ends) | (TIE if kind == "tie" else {})
+        keys = ({"h_m": high} if hold_kind(kind).has_height else ends) | (TIE if kind == "tie" else {})
         holds += behind(draw.choice(("drawing", "")), kind, **keys)
     leaf = {"thickness_m": 0.2, "connector_kn_m": 1.5, "row_spacing_m": 1.0, "slip_mm": 2.0}
     height = max(height, 3.0 * math.ceil(height / 3.0 - 1.0) + 0.5)  # no stub above a floor that is too stocky to rock
@@ -215,12 +215,14 @@ def test_that_any_holds_go_with_hinges_a_leaf_and_the_wall_unheld(seed):
     for part in make_wall_parts(0, case.wall[0], case.building):
         tops = [hold.h_m or hold.to_m for hold in part.wall.hold]
         assert all(top is None or 0.0 < top <= height - part.hinge + 1e-6 for top in tops)
-        assert part.wall.in_si.declared.restraint in (None, *HOLDS)
+        assert part.wall.in_si.declared.restraint in (None, *HOLD_KINDS)
         assert part.wall.hold or part.wall.mechanism == "two_sided"
 
 
 def test_that_the_kinds_are_told_apart():
-    assert not {*AT_A_HEIGHT} & {*BETWEEN} and not {*PRESENCE} & {*STRENGTH}
+    assert not any(kind.has_height and kind.is_local for kind in HOLD_KINDS.values())
+    assert all(kind.has_height for kind in HOLD_KINDS.values() if kind.pulls or kind.is_bar or kind.of_building)
+    assert not {*PRESENCE} & {*STRENGTH}
     assert between(4.0, "test")[0]["evidence"]["kind"] in STRENGTH
 
 

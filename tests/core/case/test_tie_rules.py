@@ -2,7 +2,7 @@
 
 import pytest
 
-from core.case.hold import AT_A_HEIGHT, HOLDS, Bars, Hold
+from core.case.hold import HOLD_KINDS, Bars, Hold, hold_kind
 from core.case.rules import parse_case, parse_draft
 from core.case.tie_rules import OF_A_TIE
 from core.case.wall_table import parse_wall_rows, text_rows
@@ -77,11 +77,11 @@ def test_that_one_tie_at_most_is_to_be_designed():
 
 
 @pytest.mark.parametrize("key", OF_A_TIE)
-@pytest.mark.parametrize("kind", [kind for kind in HOLDS if kind != "tie"])
+@pytest.mark.parametrize("kind", [kind for kind in HOLD_KINDS if kind != "tie"])
 def test_that_a_key_of_a_tie_is_of_no_other_hold(kind, key):
     """The rule before: a key of a tie at another load."""
     value = {"bar": BAR, "design": True, "fy_mpa": 235.0, "prestress": 0.2, "bar_length_m": 8.0}.get(key, 0.4)
-    place = {"h_m": 2.8} if kind in AT_A_HEIGHT else {}
+    place = {"h_m": 2.8} if hold_kind(kind).has_height else {}
     with pytest.raises(InputError) as caught:
         case_of(hold=[{"kind": kind, **place, key: value}])
     assert (caught.value.code, caught.value.key) == ("hold_key", key)
