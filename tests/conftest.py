@@ -98,19 +98,6 @@ def whole_grid():
         yield
 
 
-@pytest.fixture(autouse=True)
-def without_the_row_of_histories(request, monkeypatch):
-    """Where histories are switched off their row is not made: it costs the histories. Tests that ask for
-    `row_of_histories` have it."""
-    if "row_of_histories" not in request.fixturenames:
-        monkeypatch.setattr("core.variation.favourable_wall_inputs._histories_left_out", lambda found: False)
-
-
-@pytest.fixture
-def row_of_histories():
-    """The table of assumptions with the row of histories that are switched off."""
-
-
 @pytest.fixture(scope="session")
 def kept(tmp_path_factory):
     """kept(name, make): what `make()` gives, made once for all tests that ask for this name, whichever process of

@@ -34,3 +34,8 @@ def sought(height, **bar):
 def aside(mechanism, **heights):
     """A mechanism that is set aside by a survey; heights : from_m, to_m."""
     return {"mechanism": mechanism, **heights, "evidence": {"kind": "survey", "reference": "sheet 9"}}
+
+
+def shown(**references):
+    """evidence of a wall or of the demand: a study for each of these keys."""
+    return [{"of": key, "kind": "study", "reference": words} for key, words in references.items()]

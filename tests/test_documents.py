@@ -24,6 +24,7 @@ from core.version import VERSION
 from core.wall.moment_rotation import LAWS
 from core.wall.restitution import MODELS
 from tests.conftest import ROOT
+from tests.reference_of_asked import with_tables
 from tests.reference_of_keys import with_reference, word_of
 
 
@@ -132,6 +133,12 @@ def names_in(page: str) -> set[str]:
 def test_that_a_key_without_a_word_is_named_with_what_to_do():
     with pytest.raises(SystemExit, match=r"the key colour_rgb of \[\[wall\]\] has no word: add it to .*key.json"):
         word_of("[[wall]]", "colour_rgb")
+
+
+@pytest.mark.shows("verdict.documents")
+def test_that_the_page_of_the_verdict_has_what_a_clause_asks_as_it_is():
+    page = text_of("resources/docs/verdict.md")
+    assert page == with_tables(page), "write it anew: .venv/bin/python -m tests.reference_of_asked"
 
 
 @pytest.mark.shows("case.every_key")

@@ -9,12 +9,12 @@ from PySide6.QtWidgets import QFileDialog, QGroupBox, QPushButton, QVBoxLayout, 
 
 from app.input.building_form import BuildingForm
 from app.input.editors import Choice
+from app.input.evidence_form import DemandEvidenceForm
 from app.input.fields import ChoiceField, Field, clear_fields, connect
 from app.input.hazard_form import HazardForm
 from app.input.made_fields import make_field, make_fields
 from app.input.note_form import title_field, with_button
 from app.input.place_form import PlaceForm
-from app.input.reasons_form import reasons_of_demand
 from app.look import theme
 from app.look.case_views import CaseViews
 from app.look.labels import PlainLabel
@@ -110,12 +110,12 @@ class DemandForm(QWidget):
             inside.addWidget(widget)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(6, 6, 6, 6)
-        self.building, self.reasons = BuildingForm(session), reasons_of_demand(session)
-        for widget in (self.given, self.reasons):
+        self.building, self.evidence = BuildingForm(session), DemandEvidenceForm(session)
+        for widget in (self.given, FoldingSection(tr("Evidence"), [self.evidence])):
             layout.addWidget(widget)
         layout.addStretch(1)
         self.parts = CaseViews(
-            self, self._show_demand, self.place.show_case, self.hazard.show_case, self.reasons.show_case
+            self, self._show_demand, self.place.show_case, self.hazard.show_case, self.evidence.show_case
         )
 
     def forget(self) -> None:

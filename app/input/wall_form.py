@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QGridLayout, QMessageBox, QToolButton
 from app.input.body_form import BodyForm
 from app.input.drawn_values import DrawnValues
 from app.input.editors import Choice
+from app.input.evidence_form import EvidenceForm
 from app.input.fields import Field, clear_fields, connect
 from app.input.hinges_field import HingesField
 from app.input.holds_form import HoldsForm
@@ -18,7 +19,6 @@ from app.input.impact_form import ImpactForm
 from app.input.loads_form import LoadsForm
 from app.input.made_fields import make_field, make_fields
 from app.input.optional_group import OptionalGroup
-from app.input.reasons_form import reasons_of_wall
 from app.input.set_aside_form import SetAsideForm
 from app.input.wall_editor import WallEditor
 from app.input.wall_text import (
@@ -86,7 +86,7 @@ class WallForm(WallEditor):
         self.loads = LoadsForm(session, lambda: self.current)
         self.set_aside = SetAsideForm(session, lambda: self.current)
         self.body = BodyForm(session, lambda: self.current)
-        self.reasons = reasons_of_wall(session, lambda: self.current)
+        self.evidence = EvidenceForm(session, lambda: self.current)
         self.shape_fields = make_fields(Wall, "shape")
         check_fields = make_fields(Wall, "checks", first=BASE_KEYS)
         held = make_fields(Wall, "held")
@@ -113,6 +113,7 @@ class WallForm(WallEditor):
             "held": FoldingSection(tr("Return walls"), [self.across]),
             "hinges": FoldingSection(tr("Hinges"), [self.fields["hinge_heights"], self.set_aside]),
             "impact": FoldingSection(tr("Restitution and law"), [self.impact]),
+            "evidence": FoldingSection(tr("Evidence"), [self.evidence]),
             "notes": FoldingSection(
                 tr("Material, variant, notes"), [*notes, self.fields["variant"], self.differs, self.plan]
             ),
@@ -122,7 +123,6 @@ class WallForm(WallEditor):
         layout.setSpacing(6)
         for section in self.sections.values():
             layout.addWidget(section)
-        layout.addWidget(self.reasons)
         layout.addStretch(1)
         self.parts = CaseViews(
             self,
@@ -136,7 +136,7 @@ class WallForm(WallEditor):
             self.across.show_case,
             self.plan.show_case,
             self.body.show_case,
-            self.reasons.show_case,
+            self.evidence.show_case,
             self._show_contents,
             self.drawn.follow,
         )

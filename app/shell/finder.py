@@ -10,7 +10,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDialog, QGroupBox, QLineEdit, QListWidget, QMenu, QVBoxLayout
 
 from app.input.place_fields import names_beginning_with
-from app.input.reasons_form import ReasonField
 from app.look.language import tr, wall_title
 from app.look.section import FoldingSection
 from app.shell.pointing import point_at
@@ -65,7 +64,7 @@ def entries_of(window: "MainWindow") -> list[Entry]:
     for field in {(one.section, one.key, type(one)): one for one in window.stages.fields}.values():  # the title once
         section = field.parentWidget()
         words = f"{field.caption.text()}  {field.editor.toolTip().splitlines()[0] if field.editor.toolTip() else ''}"
-        if section is not None and not (isinstance(field, ReasonField) and field.isHidden()):
+        if section is not None:
             also = others.get(field.caption.text(), "")
             entries.append(Entry(words.strip(), partial(point_at, window.navigator, field), also))
     for row in window.tree.rows:

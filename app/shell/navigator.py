@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from app.look.language import tr
 from app.shell.header import Header
 from app.shell.pages import LazyPage
-from app.shell.pointing import point_at_key
+from app.shell.pointing import point_at_evidence, point_at_key
 from app.shell.stages import ANSWER, WHY, Stages, stage_of
 from app.shell.tree import ProjectTree, Row, hinge_text
 from app.views.result_tab import ResultTab
@@ -236,11 +236,11 @@ class Navigator(QObject):
 
     def ask(self, what: str) -> None:
         """Lead to what an answer asks for: variant, generate, a form by its kind, the field of a key ("key:period_s"),
-        that of the reason for it ("reason:law")."""
+        the document that shows its value ("reason:law")."""
         part, _, key = what.partition(":")
         if key:
             self.show_input("wall")
-            point_at_key(self, key, part == "reason")
+            (point_at_evidence if part == "reason" else point_at_key)(self, key)
         elif what == "variant":
             self.then_input(self.walls.add_variant)
             self.walls.sections["holds"].unfold()  # a tie, or what stands more

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtWidgets import QGroupBox, QLineEdit, QScrollArea, QWidget
 
 from app.input.fields import Field
-from app.input.reasons_form import ReasonField
 from app.look.section import FoldingSection, unfold_to
 from core.case.hold import Bars, Hold
 from core.case.tie_rules import OF_A_TIE
@@ -29,7 +28,7 @@ def point_at(navigator: "Navigator", widget: QWidget) -> None:
 
 def _way_to(navigator: "Navigator", field: Field) -> QWidget:
     """What makes a field there is none of appear: a load to be added, the tick of its group, its section."""
-    for form in (navigator.walls.loads, navigator.walls.holds, navigator.walls.set_aside):
+    for form in (navigator.walls.loads, navigator.walls.holds, navigator.walls.set_aside, navigator.walls.evidence):
         if form.isAncestorOf(field) and not form.list.isVisibleTo(form.window()):
             return form.add_button
     above = field.parentWidget()
@@ -42,18 +41,22 @@ def _way_to(navigator: "Navigator", field: Field) -> QWidget:
     return field.editor
 
 
-def point_at_key(navigator: "Navigator", key: str, reason: bool = False) -> None:
+def point_at_key(navigator: "Navigator", key: str) -> None:
     """The cursor into the field of a key of the wall that is shown, of the demand or of the building; of a tie that of
-    its first tie. reason : into that of the engineer's reason for it"""
+    its first tie."""
     fields = [field for field in navigator.stages.fields if field.key == key]
-    reasons = [field for field in fields if isinstance(field, ReasonField)]
-    fields = reasons if reason else [field for field in fields if field not in reasons] or reasons
     if not fields:
         return
     field = fields[0]
     if field.section is Bars or (field.section is Hold and key in OF_A_TIE):
         navigator.walls.holds.show_tie()
     point_at(navigator, field)
+
+
+def point_at_evidence(navigator: "Navigator", key: str) -> None:
+    """The cursor into the document that shows the value of a key, which is made where there is none."""
+    form = navigator.walls.evidence if key in navigator.walls.evidence.keys else navigator.demand.evidence
+    point_at(navigator, form.show_key(key))
 
 
 def first_empty(fields: list[Field]) -> Field | None:

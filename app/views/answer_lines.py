@@ -4,6 +4,7 @@ import html
 
 from app.look import theme
 from app.look.language import tr
+from core.case.asked import ASKED
 from core.known import require_value
 from core.report.assumption_table import heads, rows_of
 from core.report.verdict_words import lines_of, tone_of
@@ -28,29 +29,9 @@ PLACE_OF_CODE = {
     "to_few_records": "records",
     "to_bundled": "records",
     "to_one_sign": "key:polarity",
-    "to_period_estimated": "key:period_s",
     "to_building": "building",
-    "lift_anchorage": "key:anchorage_kn",
-    "lift_elongation": "reason:elongation_m",
-    "lift_strength": "reason:compressive_strength_mpa",
     "lift_edge": "key:hinge_setback_m",
     "to_evidence": "holds",
-    "lift_brittle": "key:elongation_m",
-    "lift_slack": "reason:slack_mm",
-    "lift_prestress": "reason:prestress",
-    "lift_confidence_factor": "reason:confidence_factor",
-    "lift_q_code": "reason:q_code",
-    "lift_velocity_ratio": "reason:velocity_ratio",
-    "lift_law": "reason:law",
-    "lift_return_walls": "reason:return_walls",
-    "lift_return_wedges": "reason:return_wedges",
-    "lift_contact": "reason:contact",
-    "lift_free_element": "reason:free_element",
-    "lift_one_sided_free": "reason:free_element",
-    "lift_participation": "reason:participation",
-    "lift_inward": "reason:load",
-    "lift_bends_inward": "reason:load",
-    "at_centroid": "reason:base_z_m",
     "other_building": "building",
     "heights_left_out": "key:hinge_heights",
     "hinges_as_asked": "key:hinge_heights",
@@ -69,6 +50,8 @@ def _target(one: Sentence) -> str | None:
     """Where a sentence leads."""
     if one.code == "give_reason":
         return f"reason:{dict(one.values)['key']}"
+    if one.code in ASKED and ASKED[one.code].section and one.code not in PLACE_OF_CODE:
+        return f"reason:{ASKED[one.code].keys[0]}"
     return PLACE_OF_CODE.get(one.code)
 
 

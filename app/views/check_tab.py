@@ -39,7 +39,6 @@ from app.views.zeta_rungs import digits, rung_of
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
 from core.codes.eq9 import LABEL
-from core.codes.outcomes import min_if_all_known
 from core.known import require_value
 from core.report.register_words import describe_lines
 from core.report.tie_words import tie_lines
@@ -377,11 +376,7 @@ class CheckTab(ResultTab):
         elif dynamic and dynamic.zeta_other:
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
-        if assessment.sensitivity:
-            facts.append(
-                (tr("Other building or height"), f"ζ {digits(min_if_all_known(assessment.sensitivity.values()))}")
-            )
-        elif risk := risk_of(result, wall):
+        if risk := risk_of(result, wall):
             facts.append(("PGA_C", f"{number(risk.pga / G, '.3f')} g"))
         quiet = theme.current.quiet
         cells = "".join(

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from core.case.document import Document, document_of
 from core.case.hold import TIE, Hold
 from core.case.solids import Leaf
 from core.case.wall import Wall
@@ -23,7 +24,7 @@ def make_leaf_wall(wall: Wall) -> Wall:
     leaf = require_value(wall.leaf)
     loads = [load for load in wall.load if not load.is_weight or require_value(load.d_m) <= leaf.thickness_m]
     loads = [replace(load, d_m=None) if load.is_thrust else load for load in loads]
-    rows = _connectors(leaf, require_value(wall.height_m))
+    rows = _connectors(leaf, require_value(wall.height_m), document_of(wall.evidence, "leaf"))
     return replace(
         wall,
         name=f"{wall.name} ({leaf_label(leaf)})",
@@ -43,7 +44,7 @@ def make_leaf_wall(wall: Wall) -> Wall:
 
 def _behind_leaf(hold: Hold, wall: Wall) -> Hold:
     """What holds a wall as it stands behind its leaf: shown where the engineer says why the leaf does."""
-    shown = wall.justification is not None and bool(wall.justification.leaf)
+    shown = document_of(wall.evidence, "leaf")
     return replace(hold.alone, evidence=hold.evidence if shown else None)
 
 
@@ -52,14 +53,14 @@ def leaf_label(leaf: Leaf) -> str:
     return f"t {leaf.thickness_m:.4g} m"
 
 
-def _connectors(leaf: Leaf, height: float) -> list[Hold]:
-    """The rows of connectors of a leaf: ties that hold up to their slip, and break there."""
+def _connectors(leaf: Leaf, height: float, shown: Document | None) -> list[Hold]:
+    """The rows of connectors of a leaf: ties that hold up to their slip, and break there. shown : by"""
     if leaf.connector_kn_m is None:
         return []
     step = require_value(leaf.row_spacing_m)
     strain = elongation_at_yield(1.0, DEFAULT_STRENGTH)
     length = 1e-3 * require_value(leaf.slip_mm) / strain
-    row = Hold(TIE, h_m=step, out_kn_m=leaf.connector_kn_m, bar_length_m=length)
+    row = Hold(TIE, h_m=step, out_kn_m=leaf.connector_kn_m, bar_length_m=length, evidence=shown)
     rows = int((height - BELOW_TOP) / step + 1e-9)
     return [replace(row, h_m=step * k) for k in range(1, rows + 1)]
 

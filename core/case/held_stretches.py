@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from core.case.hold import TIE, Document, Hold, ShareOfHold
+from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
@@ -148,18 +148,8 @@ def _outward_holds(wall: Wall) -> Iterator[Hold]:
         if not hold.slack_mm:
             tie = hold.tie(wall.length_m)
             stands = 1e-3 * tie.bar.strength * (1.0 if tie.stands_more else BRITTLE)
-            shown = _shown_tie(wall, hold, tie.stands_more)
+            shown = hold.evidence if hold.shows_strength else None
             yield Hold(TIE, hold.name, h_m=hold.h_m, out_kn_m=stands, evidence=shown)
-
-
-def _shown_tie(wall: Wall, tie: Hold, stands_more: bool) -> Document | None:
-    """What shows that a tie holds: the engineer's reasons for its anchorage, and for an elongation that counts."""
-    reasons = wall.justification
-    if reasons is None or (stands_more and not reasons.elongation_m):
-        return None
-    anchored = tie.bar is not None and tie.bar.anchorage_kn is not None
-    shown = reasons.anchorage_kn or reasons.elongation_m
-    return Document("calculation", shown) if shown and (anchored or reasons.anchorage_kn) else None
 
 
 def _bent_above(stretch: Wall, wall: Wall, high: float) -> list[Wall]:

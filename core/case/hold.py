@@ -3,7 +3,8 @@
 from collections.abc import Iterable
 from dataclasses import MISSING, dataclass, replace
 
-from core.case.keys import choice_key, flag_key, key, number_key, text_key
+from core.case.document import Document
+from core.case.keys import flag_key, key, number_key, text_key
 from core.known import require_value
 from core.wall import arch, masonry, ties
 
@@ -59,23 +60,6 @@ def hold_kind(name: str) -> HoldKind:
 
 LEAST_BELOW_SOUGHT = 0.1
 """Least height of the part of a wall below a tie that is sought [m]."""
-
-PRESENCE = "drawing", "opening", "survey", "photograph"
-STRENGTH = "test", "calculation", "dimensioned_drawing"
-"""Kinds of documents that show that a hold is there, and those that show what it stands too."""
-
-
-@dataclass(frozen=True)
-class Document:
-    """evidence of a hold: the document that shows it, printed as the engineer's declaration.
-
-    kind : a photograph shows no strength; dimensioned_drawing : a drawing with the anchors dimensioned
-    """
-
-    kind: str = choice_key(*PRESENCE, *STRENGTH)
-    reference: str = text_key()
-    date: str = text_key()
-    note: str = text_key()
 
 
 @dataclass(frozen=True)
@@ -205,7 +189,7 @@ class Hold:
     @property
     def shows_strength(self) -> bool:
         """Whether its document shows what it stands, not only that it is there."""
-        return self.evidence is not None and self.evidence.kind in STRENGTH
+        return self.evidence is not None and self.evidence.shows_strength
 
     @property
     def with_tie(self) -> bool:

@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from core.case.directions import LONGEST
+from core.case.document import STRENGTH
 from core.case.held_stretches import find_held_stretches, stands_outward
-from core.case.hold import HOLD_KINDS, STRENGTH, TIE, Hold, hold_kind
+from core.case.hold import HOLD_KINDS, TIE, Hold, hold_kind
 from core.case.site import Building
 from core.case.tie_rules import OF_A_TIE, check_tie
 from core.case.wall import Wall
@@ -97,13 +98,7 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
 
     table : keys of a wall; here : its place
     """
-    reasons = table.get("justification")
-    if isinstance(reasons, Mapping) and "hinge_heights" in reasons:
-        shown = f'{{ kind = "calculation", reference = {_toml_value(reasons["hinge_heights"])} }}'
-        written = f'set_aside = [{{ mechanism = "overturning", evidence = {shown} }}]'
-        raise InputError(
-            "old_reason", place=(here, section("[wall.justification]")), key="hinge_heights", written=written
-        )
+    refuse_old_reasons(table, (here, section("[wall.justification]")))
     if "all_directions" in table:
         raise InputError("directions_by_themselves", place=(here,), key="all_directions", most=LONGEST)
     if old := next((key for key in OLD_KEYS if key in table), None):
@@ -112,6 +107,33 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
     for n, load in enumerate(loads if isinstance(loads, list | tuple) else [], start=1):
         if isinstance(load, Mapping) and hold_kind(str(load.get("kind"))).is_bar:
             raise InputError("old_tie", place=(here, place("load", n=n)), key="kind", written=rewritten(table))
+
+
+OF_TIES = ("elongation_m", "slack_mm", "prestress", "anchorage_kn")
+"""Reasons of a wall that the evidence of its ties takes the place of."""
+
+
+def refuse_old_reasons(table: Mapping[str, Any], here) -> None:
+    """Raise InputError for the reasons in words that documents take the place of, with the new writing of the line.
+
+    table : keys of a wall, or of the demand; here : its place
+    """
+    if "investigations" in table:
+        words = _toml_value(str(table["investigations"]))
+        written = f'evidence = [{{ of = "confidence_factor", kind = "test", reference = {words} }}]'
+        raise InputError("old_reason", place=here, key="investigations", written=written)
+    reasons = table.get("justification")
+    if reasons is None:
+        return
+    (name, words) = next(iter(reasons.items()), ("", "")) if isinstance(reasons, Mapping) else ("", reasons)
+    shown = f'{{ kind = "...", reference = {_toml_value(str(words))} }}'
+    if name == "hinge_heights":
+        written = f'set_aside = [{{ mechanism = "overturning", evidence = {shown} }}]'
+    elif name in OF_TIES:
+        written = f"evidence = {shown}"
+    else:
+        written = f'evidence = [{{ of = "{name}", {shown[2:]}]'
+    raise InputError("old_reason", place=here, key="justification", written=written)
 
 
 def rewritten(table: Mapping[str, Any]) -> str:

@@ -19,6 +19,7 @@ from core.case.set_aside import (
 from core.case.site import Building
 from core.case.spans_between_ties import leaves_stretches_out
 from core.case.wall import Wall
+from core.known import require_value
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.wall.kinematics import kinematics
 
@@ -96,7 +97,7 @@ def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[Regis
     def leave(name: str, why: Sentence, hinge: float | None = None) -> None:
         entry, status = _set_aside(wall, name, hinge), NOT_LOOKED_AT
         if entry is not None:
-            why, status = entry.shown_by, SET_ASIDE
+            why, status = require_value(entry.evidence).words, SET_ASIDE
         rows.append(RegisterRow(name, status, hinge or 0.0, wall.height_m, hinge, "", why))
 
     if leaves_stretches_out(wall):

@@ -6,6 +6,7 @@ from dataclasses import fields, replace
 from typing import NamedTuple
 
 from core.case.detached import check_leaf
+from core.case.document import check_evidence, document_of
 from core.case.floor_loads import WallSetChecker, add_floor_loads, check_floors, check_floors_on, floor_at
 from core.case.hazard_table import check_rising
 from core.case.held_top import check_bends, check_held_top
@@ -13,7 +14,6 @@ from core.case.hinges import WallPart, check_hinges, make_wall_parts, turning_hi
 from core.case.hold_rules import check_holds, check_holds_of_building
 from core.case.keys import is_required
 from core.case.load_rules import check_given, check_loads, places_of_forces
-from core.case.meaningful import is_meaningful
 from core.case.place import HERE, Site, apply_site, fill_from_site
 from core.case.schema import Analysis, Case, Generate, Record, Report
 from core.case.select import Select
@@ -273,7 +273,7 @@ def check_part(part: WallPart) -> None:
 def wall_dependencies(case: Case) -> tuple:
     """What `check_wall` and the hinges of a wall read of the rest of a case."""
     demand, analysis = case.demand, case.analysis
-    confidence = demand and (demand.confidence_factor, demand.knowledge_level, demand.investigations)
+    confidence = demand and (demand.confidence_factor, demand.knowledge_level, demand.evidence)
     return analysis.method, analysis.accuracy, confidence, case.building
 
 
@@ -350,7 +350,7 @@ def _check_with_floors(wall: Wall, whole: Wall, building: Building | None) -> No
 
 def _check_reasons(wall: Wall) -> None:
     """Refuse reasons of a wall that say nothing."""
-    check_reasons(wall.justification, place("wall", name=wall.title))
+    check_evidence(wall.evidence, (place("wall", name=wall.title),))
 
 
 def _check_exact(case: Case, wall: Wall) -> None:
@@ -374,14 +374,6 @@ def refuse_modes(case: Case, low: float, high: float) -> None:
         raise InputError("modes_at_one_height", place=(section("[building]"),), key="modes", low=low, high=high)
 
 
-def check_reasons(reasons, here) -> None:
-    """Refuse a reason of the engineer that says nothing. reasons : of a wall or of the demand, None without any"""
-    for entry in fields(reasons) if reasons else ():
-        value = getattr(reasons, entry.name)
-        if value and not is_meaningful(value):
-            raise InputError("reason_says_nothing", place=(here,), key=entry.name, value=value)
-
-
 def check_confidence(demand: Demand, wall: Wall) -> None:
     """Refuse an FC below 1.35 for a wall whose compressive strength is not in alpha, or without the level of knowledge
     and the investigations that it follows from (Circolare 7/2019 C8.7.1.2.1, Tab. C8.5.IV)."""
@@ -390,7 +382,7 @@ def check_confidence(demand: Demand, wall: Wall) -> None:
         return
     here, level = (section("[demand]"),), demand.knowledge_level
     least = KNOWLEDGE.get(level or "")
-    if least is None or not is_meaningful(demand.investigations):
+    if least is None or document_of(demand.evidence, "confidence_factor") is None:
         raise InputError("low_confidence_factor", place=here, stated=stated)
     if stated < least:
         raise InputError("confidence_below_level", place=here, stated=stated, level=level, least=least)
@@ -439,7 +431,7 @@ def _demand(table) -> Demand:
         raise InputError("soil_factor_follows", place=(here,))
     if asked:
         check_code_keys(asked, section("[demand.spectrum]"))
-    check_reasons(demand.justification, here)
+    check_evidence(demand.evidence, (here,))
     if demand.return_period_years is not None:
         own = replace(demand, return_period_years=None).return_period
         check_return_period(demand.limit_state, demand.return_period_years, own)

@@ -3,10 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from core.case.hold import Document
+from core.case.document import Document
 from core.case.keys import choice_key, key, number_key
 from core.errors import InputError
-from core.text.sentence import Sentence, sentence
 
 OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING = "overturning", "vertical_bending", "horizontal_bending"
 CORNER, LEAF, PART_ABOVE, DIRECTION = "corner", "leaf", "part_above", "direction"
@@ -36,13 +35,6 @@ class SetAside:
         """Whether it sets aside a mechanism between two heights [m], high None of a wall without a height."""
         least, most = self.from_m or 0.0, math.inf if self.to_m is None else self.to_m
         return self.mechanism == mechanism and least <= low + NEAR and (low if high is None else high) <= most + NEAR
-
-    @property
-    def shown_by(self) -> Sentence:
-        """Its document in words."""
-        shown = self.evidence or Document("")
-        more = ", ".join(filter(None, (shown.reference, shown.date, shown.note)))
-        return sentence("mechanism", "shown", kind=sentence("word", f"evidence_{shown.kind}"), more=more)
 
 
 def check_set_aside(entry: SetAside, height: float | None, here) -> None:

@@ -17,7 +17,7 @@ WITHOUT_SHAPE: dict[str, Any] = {
     "base_z_m": None,
     "hinge_heights": None,
     "unloaded_confirmed": False,
-    "justification": None,
+    "evidence": (),
     "restitution": None,
     "velocity_ratio": None,
     "law": "auto",

@@ -2,6 +2,7 @@
 
 from dataclasses import MISSING, dataclass
 
+from core.case.document import DemandEvidence
 from core.case.keys import choice_key, key, number_key, path_key, text_key
 from core.codes.limits import return_period
 from core.codes.spectrum_codes import CODES
@@ -33,29 +34,6 @@ class HazardRow:
     tc_star_s: float | None = number_key(0.05, 1.0, unit="s")
 
 
-@dataclass(frozen=True)
-class DemandJustification:
-    """[demand.justification]: why a value of the demand or of the building that raises zeta holds, in the engineer's
-    words."""
-
-    confidence_factor: str = text_key()
-    q_code: str = text_key()
-    building: str = text_key()
-    participation: str = text_key()
-    histories: str = text_key()
-    scatter: str = text_key()
-    count: str = text_key()
-    limit_state: str = text_key()
-    zeta_target: str = text_key()
-    soil_factor: str = text_key()
-    period_s: str = text_key()
-    storeys: str = text_key()
-    nominal_life_years: str = text_key()
-    f0: str = text_key()
-    tc_star_s: str = text_key()
-    spectrum: str = text_key()
-
-
 FULL_FACTOR = 1.35
 """FC of LC1, and where the compressive strength is not in alpha (Circolare 7/2019 C8.7.1.2.1)."""
 
@@ -81,7 +59,6 @@ class Demand:
     q_code: float = number_key(1.0, 10.0, 2.0, form="check")
     confidence_factor: float = number_key(1.0, 1.35, 1.35, form="knowledge")
     knowledge_level: str | None = choice_key("LC1", *KNOWLEDGE, default=None, form="knowledge")
-    investigations: str = text_key(form="knowledge")
     confidence_on: str = choice_key("capacity", "demand", default="capacity", form="knowledge")
     period_range_s: tuple[float, float] | None = key("range", unit="s", form="check")
     demand_scaling: str = choice_key("as_given", "pga", default="as_given", form="check")
@@ -94,7 +71,7 @@ class Demand:
     hazard: tuple[HazardRow, ...] = key("tables", (), of=HazardRow)
     hazard_file: str | None = path_key(None)
     limit_states: tuple[str, ...] = key("list", (), of=choice_key("SLD", "SLV", "SLC"))
-    justification: DemandJustification | None = key("section", of=DemandJustification, section="demand")
+    evidence: tuple[DemandEvidence, ...] = key("tables", (), of=DemandEvidence)
 
     @property
     def reference_period(self) -> float | None:

@@ -5,8 +5,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from core.case.above_hinge import cut_above_hinge, solid_of
+from core.case.document import Document
 from core.case.held_top import mirror_inward
-from core.case.hold import TIE, Document, ShareOfHold
+from core.case.hold import TIE, ShareOfHold
 from core.case.loads import Load
 from core.case.shape import cut_between
 from core.case.wall import Wall
@@ -146,12 +147,10 @@ def multiplier_at_yield(wall: Wall) -> float:
 
 
 def _shown(wall: Wall) -> Document | None:
-    """What shows the ties of a wall, where the engineer says it: what shows that something stands behind the wall is
-    none of them."""
-    reasons, holds = wall.justification, wall.held_by
-    if reasons is None or holds is None or not (reasons.anchorage_kn or reasons.elongation_m):
-        return None
-    return holds.evidence
+    """What shows that the ties of a wall hold, where all of them are shown: what shows that something stands behind
+    the wall is none of them."""
+    shown = all(tie.shows_strength for tie in wall.ties)
+    return wall.ties[0].evidence if wall.ties and shown else None
 
 
 def named_between(name: str, low: float, high: float) -> str:

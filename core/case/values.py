@@ -8,11 +8,12 @@ from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
 from core.case.hinges import BASE, FLOORS
-from core.case.hold_rules import refuse_old_keys
+from core.case.hold_rules import refuse_old_keys, refuse_old_reasons
 from core.case.keys import is_required
 from core.case.number import parse_number
 from core.case.schema import OWN_FIELDS
 from core.case.sensitivity import MAX_ADDED, MAX_FACTOR, MIN_FACTOR
+from core.case.site import Demand
 from core.case.wall import MIN_ELASTIC, Wall
 from core.errors import InputError, section
 from core.file_names import is_text, name_of
@@ -47,6 +48,8 @@ def refuse_unknown(cls, table: dict, here) -> None:
     keys = [entry.name for entry in fields(cls) if entry.name not in OWN_FIELDS]
     if cls is Wall:
         refuse_old_keys(table, here)
+    if cls is Demand:
+        refuse_old_reasons(table, (here,))
     for key in table:
         if key not in keys:
             near = [name for name in keys if name.endswith(f"_{key}")] or difflib.get_close_matches(key, keys, 1)

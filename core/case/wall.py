@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, dataclass, replace
 from functools import cached_property
 
+from core.case.document import WallEvidence
 from core.case.hold import Hold, ShareOfHold, hold_kind
 from core.case.keys import choice_key, flag_key, key, number_key, section_to_dict, text_key
 from core.case.loads import Load, ReturnWalls
@@ -31,32 +32,6 @@ MIN_ELASTIC = 0.001
 """Smallest D1 of a trilinear law that is given by its ends. That of an element free to vibrate may be shorter: it is no
 rigid law all the same. However short, the wall vibrates on it before it rocks, and a motion that would not lift the
 rigid wall drives it off its end with what it has stored there."""
-
-
-@dataclass(frozen=True)
-class WallJustification:
-    """[wall.justification]: why a value of the wall that raises zeta holds, in the engineer's words."""
-
-    velocity_ratio: str = text_key()
-    restitution: str = text_key()
-    law: str = text_key()
-    return_walls: str = text_key()
-    return_wedges: str = text_key()
-    corner: str = text_key()
-    leaf: str = text_key()
-    contact: str = text_key()
-    free_element: str = text_key()
-    base_z_m: str = text_key()
-    elongation_m: str = text_key()
-    slack_mm: str = text_key()
-    prestress: str = text_key()
-    anchorage_kn: str = text_key()
-    load: str = text_key()
-    compressive_strength_mpa: str = text_key()
-    unit_weight_kn_m3: str = text_key()
-    mass: str = text_key()
-    h_m: str = text_key()
-    d_m: str = text_key()
 
 
 MAX_INERTIA = 2.0
@@ -119,7 +94,7 @@ class Wall(Shaped):
     corner: Corner | None = key("section", of=Corner, columns="corner_")
     leaf: Leaf | None = key("section", of=Leaf, columns="leaf_")
     plan: InPlan | None = key("section", of=InPlan, columns="plan_")
-    justification: WallJustification | None = key("section", of=WallJustification)
+    evidence: tuple[WallEvidence, ...] = key("tables", (), of=WallEvidence, columns="evidence{n}_")
     variant: str | None = choice_key(AS_IS, DESIGNED, default=None, form="held")
 
     @staticmethod

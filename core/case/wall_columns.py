@@ -9,8 +9,9 @@ from difflib import get_close_matches
 from typing import NamedTuple
 
 from core.case.directions import LONGEST
+from core.case.document import PRESENCE, STATED, STRENGTH
 from core.case.hinges import BASE, FLOORS
-from core.case.hold import HOLD_KINDS, PRESENCE, STRENGTH, TIE
+from core.case.hold import HOLD_KINDS, TIE
 from core.case.keys import NESTED
 from core.case.number import parse_quantity
 from core.case.rules import parse_wall
@@ -49,7 +50,9 @@ def columns() -> dict[str, Column]:
             titles = (entry.name, *(title for k in range(len(LANGUAGES)) for title in _titles(entry.name, k)))
             by_name[entry.name] = Column(entry, frozenset(titles), WORDS_OF_CHOICE.get(entry.name, {}))
         for n in range(1, MAX_LOADS + 1) if "columns" in entry.metadata else ():
-            whole = [title.format(n=n) for title in CATALOGUE["key"][f"{entry.name}.column"]]
+            texts = CATALOGUE["key"]
+            titles_of = texts.get(f"{entry.name}.columns") or texts[f"{entry.name}.column"]
+            whole = [title.format(n=n) for title in titles_of]
             by_name.update(_columns_of(entry, n, whole))
     return by_name
 
@@ -124,7 +127,7 @@ WORDS_OF_CHOICE = {
     "load.mass": LOAD_MASSES,
     "set_aside.mechanism": _catalogue_words(ROWS),
     "hold.kind": _catalogue_words(HOLD_KINDS) | {"tirante": TIE},
-    "evidence.kind": _catalogue_words((*PRESENCE, *STRENGTH)),
+    "evidence.kind": _catalogue_words((*PRESENCE, *STRENGTH, *STATED)),
 }
 """Key -> its words in a table; another choice is written as in the case file."""
 

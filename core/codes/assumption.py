@@ -16,12 +16,6 @@ RESTRAINT = "hold"
 ARCH = "evidence"
 """Key of what the ends of a wall between its transverse walls push against."""
 
-SETBACK_KEY = "hinge_setback_m"
-"""Key of the hinge at the edge: every wall has one, and its row is enough where it turns nothing."""
-
-SHOWN_ALONE = (SETBACK_KEY, "unit_weight_kn_m3", "masonry")
-"""Keys whose row is enough where it turns nothing: no limit repeats it."""
-
 ALL_TOGETHER_KEY = "together"
 """Key of the last row: all others at their other ends."""
 
@@ -30,15 +24,6 @@ def value_format(value: float) -> str:
     """How a value of any size is written: three significant digits, whole from 1000 on, never with an exponent."""
     return ".0f" if abs(value) >= 999.5 else ".3g"
 
-
-KEYS_WITHOUT_LIMIT = (
-    *("mass", "d_m", "h_m", "load", "count", "scatter", "seed", "elastic_modulus_mpa", "inertia_over_mass_m2"),
-    *("unit_weight_kn_m3", "masonry"),
-)
-"""Keys of inputs that are no limit of a verdict where they do not raise zeta."""
-
-KEYS_WITHOUT_WORDS = ("seed", "inertia_over_mass_m2", "elastic_modulus_mpa")
-"""Keys that no words justify: other values of them are none to state a reason for."""
 
 DisplayValue = float | str | Sentence
 """A value as the table shows it: a number, a name of the case, or words."""
@@ -87,13 +72,13 @@ class Assumption:
 
 
 def sort_assumptions(rows: Iterable[Assumption]) -> tuple[Assumption, ...]:
-    """The rows in the order of the table, but those that raise nothing: those that turn the outcome first, then the
-    worse outcome, at last all together; of a key that stands twice the first."""
+    """The rows that turn something, in the order of the table: those that turn the outcome first, then the worse
+    outcome, at last all together; of a key that stands twice the first."""
 
     def place(row: Assumption) -> tuple:
         return row.key == ALL_TOGETHER_KEY, not row.turns, severity_key(row.outcome, row.zeta, 1.0)
 
-    ordered = sorted((row for row in rows if row.raises or row.turns or row.turns_q), key=place)
+    ordered = sorted((row for row in rows if row.turns or row.turns_q), key=place)
     return tuple({row.key: row for row in reversed(ordered)}.values())[::-1]
 
 

@@ -28,7 +28,7 @@ class Circumstances:
     bundled : some are the example's
     strongest : largest PGA at the demand, FC apart [m/s2]
     both_signs : a one-sided wall was given each record with both
-    period_estimated : the period of the building that carries the wall was not given
+    histories_off : none were to be made
     exact : the integrator is not one for comparison
     unbranched : code of the reason why histories have not the elastic branch the clause asks for, empty where they have
     sound : stations of records that nothing doubts, -1 where nobody looked
@@ -39,7 +39,7 @@ class Circumstances:
     bundled: bool = False
     strongest: float = 0.0
     both_signs: bool = True
-    period_estimated: bool = False
+    histories_off: bool = False
     exact: bool = True
     unbranched: str = ""
     sound: int = -1
@@ -124,6 +124,9 @@ def optional_remarks(seen: Evidence, code: str) -> list[Sentence]:
     notes = _weaker(seen, code, False)
     if seen.kinematic and seen.kinematic.chain.friction_height is not None:
         notes.append(reason("friction_hinge", height=seen.kinematic.chain.friction_height))
+    alpha = 0.0 if seen.wall.arch else math.degrees(seen.wall.block.slenderness)
+    if alpha > STOCKY_DEG:
+        notes.append(reason("stocky", alpha=alpha))
     compliance = seen.compliance
     if seen.dynamic and compliance and code != "not_activated":
         if compliance.unnamed:
@@ -245,15 +248,10 @@ def indicative_reasons(seen: Evidence) -> list[Sentence]:
             reasons.append(reason("comparison_method"))
         if circumstances.unbranched and seen.governing is not None and seen.governing.name == "dynamic":
             reasons.append(reason(circumstances.unbranched))
-    if circumstances.period_estimated:
-        reasons.append(reason("period_estimated"))
     reasons += _of_what_holds(seen)
     if not demand.soil_factor_stated:
         reasons.append(reason("no_soil_factor"))
     code = CODES[demand.spectrum_code] if demand.spectrum_code else None
     if code and not code.seen_in_print:
         reasons.append(reason("annex_unseen", name=code.name))
-    alpha = 0.0 if seen.wall.arch else math.degrees(seen.wall.block.slenderness)
-    if alpha > STOCKY_DEG:
-        reasons.append(reason("stocky", alpha=alpha))
     return reasons

@@ -3,17 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from core.codes.assumption import (
-    ALL_TOGETHER_KEY,
-    ARCH,
-    DECLARED,
-    KEYS_WITHOUT_LIMIT,
-    KEYS_WITHOUT_WORDS,
-    RESTRAINT,
-    SHOWN_ALONE,
-    Assumption,
-    sort_assumptions,
-)
+from core.codes.assumption import ALL_TOGETHER_KEY, ARCH, DECLARED, RESTRAINT, Assumption, sort_assumptions
 from core.codes.evidence import (
     Evidence,
     indicative_reasons,
@@ -54,7 +44,6 @@ TO_MEND = {
     "one_sign": Sentence("reason", "to_one_sign", (("key", Key("polarity")),)),
     "no_soil_factor": Sentence("reason", "to_no_soil_factor"),
     "annex_unseen": Sentence("reason", "to_annex_unseen", (("key", Key("spectrum_file")),)),
-    "period_estimated": Sentence("reason", "to_period_estimated", (("key", Key("period_s")),)),
     "upper_floor": Sentence("reason", "to_building", (("building", Key("[building]")),)),
     "upper_top": Sentence("reason", "to_building", (("building", Key("[building]")),)),
     "upper_middle": Sentence("reason", "to_building", (("building", Key("[building]")),)),
@@ -155,9 +144,7 @@ def make_verdict(
     rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []
     code = find_outcome(seen, unfounded, bool(rests_on))
     limits = [*blocking, *own_limits]
-    quiet = [row for row in assumed if row.key == ALL_TOGETHER_KEY or (row.key in SHOWN_ALONE and not row.turns)]
-    quiet += [row for row in assumed if row.key in KEYS_WITHOUT_LIMIT and not row.raises]
-    limits += [row.words for row in assumed if row.words not in limits and row not in quiet]
+    limits += [row.words for row in assumed if row.turns and row.words not in limits and row.key != ALL_TOGETHER_KEY]
     if rests_on:
         limits.append(reason("q_rests_on", q=Number(CODE_Q, "g"), keys=tuple(rests_on)))
     limits += zeta_limitations(seen, code)
@@ -167,9 +154,20 @@ def make_verdict(
     largest = demand.pga
     if wall.above_ground and code == "not_activated":
         largest = _strongest(seen)
-    carried = tuple(row for row in assumed if row.turns and row.permitted), _reasoned(assumed)
+    carried = tuple(row for row in assumed if row.turns and row.permitted), _shown(assumed)
     way, values = outcome(
-        code, missing, threshold, demand, governing, seen.checks, dynamic, by, largest, wall, *carried
+        code,
+        missing,
+        threshold,
+        demand,
+        governing,
+        seen.checks,
+        dynamic,
+        by,
+        largest,
+        wall,
+        *carried,
+        seen.circumstances.histories_off,
     )
     decides = missing
     if missing is None and governing:
@@ -191,10 +189,12 @@ def make_verdict(
     )
 
 
-def _reasoned(assumed: Iterable[Assumption]) -> tuple[Key, ...]:
-    """Keys whose other ends would turn the outcome, but for the engineer's reason."""
-    founded = [row.key for row in assumed if row.turns and row.reason and not row.permitted and row.key != RESTRAINT]
-    return tuple(map(Key, dict.fromkeys(founded)))
+def _shown(assumed: Iterable[Assumption]) -> tuple[Assumption, ...]:
+    """Inputs whose other ends would turn the outcome, but for the document that shows them; of a key the first."""
+    rows = [
+        row for row in assumed if row.turns and row.reason and not row.permitted and row.key not in (RESTRAINT, ARCH)
+    ]
+    return tuple({row.key: row for row in reversed(rows)}.values())[::-1]
 
 
 def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
@@ -225,10 +225,8 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
         for row in assumed:
             if row.words in blocking and row.source == DECLARED and row.key in (RESTRAINT, ARCH):
                 actions.append(reason("to_evidence", key=Key("evidence")))
-            elif row.words in blocking and row.key in KEYS_WITHOUT_WORDS:
-                actions.append(reason("to_usual", key=Key(row.key)))
             elif row.words in blocking and row.key not in (ALL_TOGETHER_KEY, RESTRAINT):
-                actions.append(reason("give_reason", key=Key(row.key), reasons=Key("justification")))
+                actions.append(reason("give_reason", key=Key(row.key), evidence=Key("evidence")))
         actions += mends
         if "alone" in codes:
             actions.append(reason("justify"))

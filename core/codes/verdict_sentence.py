@@ -4,6 +4,7 @@ from core.codes.assumption import VALUE_UNITS, Assumption, value_format
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import Check
+from core.codes.outcomes import OUTCOMES, PASSES
 from core.text.sentence import Key, Number, Sentence, apart, sentence
 from core.units import G
 from core.wall.masonry import Declared, Masonry
@@ -83,10 +84,15 @@ def _turned_by(row: Assumption, target: float) -> Sentence:
     return sentence("added", "turned_by", key=Key(row.key), value=value, zeta=apart(row.zeta, target))
 
 
-def _carried_by(code: str, tail, permitted: tuple[Assumption, ...], reasoned: tuple[Key, ...], target: float):
-    """The end of a sentence with the reasons and the permitted values that the outcome rests on."""
-    if code in ("verified", "verified_refined") and reasoned:
-        tail = sentence("added", "rests_on_reasons", tail=tail, keys=reasoned)
+def _carried_by(
+    code: str, tail, wall: Masonry, permitted: tuple[Assumption, ...], shown: tuple[Assumption, ...], target: float
+):
+    """The end of a sentence with what the outcome rests on: what holds the wall, the documents that show what would
+    turn it, and permitted values."""
+    rests_on = [restraint_phrase(wall.declared)] if wall.declared.restraint else []
+    rests_on += [sentence("added", "shown_key", key=Key(row.key), document=row.reason) for row in shown]
+    if code in ("verified", "verified_refined") and rests_on:
+        tail = sentence("added", "rests_on", tail=tail, things=tuple(rests_on))
     if code in ("verified", "verified_refined", "indicative", "not_activated") and permitted:
         rows = tuple(_turned_by(row, target) for row in permitted)
         tail = sentence("added", "would_turn", tail=tail, rows=rows)
@@ -105,7 +111,8 @@ def outcome(
     largest: float,
     wall: Masonry,
     permitted: tuple[Assumption, ...] = (),
-    reasoned: tuple[Key, ...] = (),
+    shown: tuple[Assumption, ...] = (),
+    histories_off: bool = False,
 ) -> tuple[str, dict]:
     """Choose the sentence of a verdict: its key in the catalogue, and the values of its placeholders.
 
@@ -120,7 +127,8 @@ def outcome(
     largest : acceleration under the wall at the demand, FC apart [m/s2]
     wall : what is declared of it, and what it carries
     permitted : defaults that a clause permits, and whose other ends turn the outcome
-    reasoned : keys whose other ends would turn it, but for the engineer's reason
+    shown : inputs whose other ends would turn it, but for the document that shows them
+    histories_off : none were to be made
     """
     target, way = demand.zeta_target, code
     if code == "not_activated" and wall.above_ground:
@@ -138,9 +146,9 @@ def outcome(
         tail = sentence("added", "q_would_pass", q=CODE_Q, tail=tail)
     elif code == "verified_refined" and not beside:
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
-    if code in ("verified", "verified_refined") and wall.declared.restraint:
-        tail = sentence("added", "rests_on", tail=tail, restraint=restraint_phrase(wall.declared))
-    tail = _carried_by(code, tail, permitted, reasoned, target)
+    if histories_off and OUTCOMES[code].judgement == PASSES:
+        tail = sentence("added", "no_histories_made", tail=tail)
+    tail = _carried_by(code, tail, wall, permitted, shown, target)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {
         "state": demand.limit_state,

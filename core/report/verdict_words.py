@@ -1,10 +1,8 @@
 """Order and tone of the verdicts, for workbook, note and window."""
 
 import functools
-from dataclasses import fields
 
-from core.case.site import DemandJustification
-from core.case.wall import WallJustification
+from core.case.document import Evidence
 from core.codes.outcomes import OUTCOMES
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import hinge_location, sort_by_severity
@@ -68,17 +66,10 @@ def lines_of(
     if "reason" not in kinds:
         return lines
     demand = result.case.demand
-    given: tuple[WallJustification | DemandJustification | None, ...] = (
-        wall.wall.justification,
-        demand.justification if demand else None,
-    )
-    for reasons in given:
-        if reasons is None:
-            continue
-        for entry in fields(reasons):
-            if words := getattr(reasons, entry.name):
-                key = word(f"key_{entry.name}", language)
-                lines.append(f"{word('reason_given', language)}, {key}: {words}")
+    given: tuple[Evidence, ...] = (*wall.wall.evidence, *(demand.evidence if demand else ()))
+    for entry in given:
+        key, shown = word(f"key_{entry.of}", language), entry.words.text(language)
+        lines.append(f"{word('reason_given', language)}, {key}: {shown}")
     return lines
 
 

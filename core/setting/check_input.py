@@ -13,7 +13,6 @@ from core.case.wall import Wall
 from core.codes.demand import SeismicDemand, complete_with_records
 from core.codes.dynamic_check import run_dynamic_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
-from core.codes.floor_spectrum import estimated_period
 from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
 from core.codes.record_compatibility import Compliance, check_compatibility
 from core.codes.vertical_bending import HingeAt, hinges_in_histories, lowest_hinge, model_of_bending
@@ -41,9 +40,6 @@ from core.wall.bending import strip_of
 from core.wall.kinematics import Kinematics, kinematics
 from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, rocking_model
-
-ESTIMATES = 0.5, 1.0, 2.0
-"""Periods of a building over the estimated one between which its own lies."""
 
 
 def make_rocking_model(wall: Wall, mechanism: str) -> RockingModel:
@@ -85,10 +81,8 @@ class CheckInput:
     polarity : of [analysis]
     by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
     histories_off : none are to be made
-    many : the case has so many walls that the table of assumptions is made only where it can change an outcome
     q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
     histories : `run_dynamic_check`, or one that keeps its results
-    period_taken : the period of the building is none that is given, but the worst of those it may have
     left_out : of `Circumstances`
     """
 
@@ -104,10 +98,8 @@ class CheckInput:
     method: Method
     by_default: bool
     histories_off: bool
-    many: bool
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = run_dynamic_check
-    period_taken: bool = False
     left_out: tuple[Sentence, ...] = ()
 
     @property
@@ -232,18 +224,6 @@ class CheckInput:
         wall, demand = self.wall, self.demand
         place = (wall.above_ground, wall.demand_height_m, wall.bends, self.building)
         return *place, demand.limit_state, demand.pga, id(demand.target), tuple(map(id, self.ground))
-
-    @property
-    def period_alternatives(self) -> tuple["CheckInput", ...]:
-        """The scene with each period its building may have where none is given; empty where one is. Raises
-        InputError."""
-        if self.building is None or self.floor is None or not self.floor.estimated or self.period_taken:
-            return ()
-        estimated = estimated_period(self.building.height_m)
-        periods = [factor * estimated for factor in ESTIMATES]
-        return tuple(
-            self.replace_parts(building=replace(self.building, period_s=t), period_taken=True) for t in periods
-        )
 
     def without_records(self) -> "CheckInput":
         """The scene without its records, for the checks of the clauses alone."""

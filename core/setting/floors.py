@@ -24,8 +24,8 @@ the ultimate limit states."""
 LOW_CODE = 0.8
 """Share of the records' mean spectrum below which the code's is warned of."""
 
-OTHER_BUILDING = (2.0, 0.20)
-"""The far end of what the clause allows at the ultimate limit states: zeta is given for it as well."""
+CORNERS = ((1.5, 0.10), (1.5, 0.20), (2.0, 0.10), (2.0, 0.20))
+"""The corners of what the clause allows at the ultimate limit states: zeta is looked at in each."""
 
 MIN_STOREY, MAX_STOREY = 2.5, 5.0
 ODD_PERIOD = 3.0
@@ -100,9 +100,9 @@ def damaged_period_and_damping(building: Building, limit_state: str) -> tuple[fl
 
 
 def period_and_damping_bounds(building: Building, limit_state: str) -> tuple[tuple[float, float], ...]:
-    """(period over the elastic one, damping) at the ends of what C8.7.1.2.1.4 allows, to show what hangs on it: of a
-    building that is not given as damaged the far end alone. At SLD, where it allows one, that one."""
-    ends = (DEFAULTS[limit_state],) if limit_state in DEFAULTS else (ULTIMATE, OTHER_BUILDING)
+    """(period over the elastic one, damping) at the corners of what C8.7.1.2.1.4 allows, but for that at which the
+    building is; at SLD, where it allows one, that one."""
+    ends = (DEFAULTS[limit_state],) if limit_state in DEFAULTS else CORNERS
     factor, damping = damaged_period_and_damping(building, limit_state)
     if building.modes:
         damping = building.modes[0].damping

@@ -64,7 +64,6 @@ class Plan:
     motions : of the ground, with those generated; kinds : of each
     entries : the walls
     longest : period of the mechanisms of all walls [s], where these are a group of more; None else
-    walls : of the whole case, where these are a group of more
     """
 
     case: Case
@@ -75,7 +74,6 @@ class Plan:
     search: Search
     entries: list[PlannedWall]
     longest: float | None = None
-    walls: int = 0
 
     def scene(
         self,
@@ -100,7 +98,6 @@ class Plan:
             self.method,
             by_default=self.case.default_histories,
             histories_off=not self.case.analysis.histories,
-            many=max(self.walls, len(self.case.wall)) > MANY_WALLS,
             histories=histories,
             left_out=find_left_out(entry.part, self.case.building),
         )
@@ -172,10 +169,6 @@ def select_case_records(
     return replace(case, select=None, record=selection.chosen.records), selection
 
 
-MANY_WALLS = 50
-"""Walls of a case beyond which the table of assumptions is made only of walls it can bring to another outcome: a wall
-without histories costs 4 ms, its table some 100 to 400 ms."""
-
 GROUP_SIZE = 128
 """Walls whose mechanisms are looked at together."""
 
@@ -212,7 +205,6 @@ def make_plan(
     share: tuple[int, int] | None = None,
     longest: float | None = None,
     floors: FloorCache | None = None,
-    walls: int = 0,
 ) -> Plan:
     """The walls of a case. Raises InputError where the records and the demand do not go together: before hours of work,
     not after.
@@ -221,7 +213,6 @@ def make_plan(
     share : of the walls only some, as `run` takes it
     longest : of the mechanisms of all walls [s], where the case is a group of more
     floors : where the floors of a building are kept for the next group
-    walls : of the whole case, where it is a group of more
     """
     demand, motions, kinds = inputs
     method = METHODS.get(case.analysis.method, AUTO)
@@ -243,7 +234,7 @@ def make_plan(
             entries.append(PlannedWall(part, mechanism, model, signs, floor, felt, closed_form))
     if demand:
         entries = _share_out_holds(entries, demand, lambda wall: at_height.of(wall, case.building, demand, motions))
-    plan = Plan(case, demand, motions, kinds, method, search, entries, longest, walls)
+    plan = Plan(case, demand, motions, kinds, method, search, entries, longest)
     if demand and demand.target and motions:
         period_range(kinds, plan.longest_period, demand)
     return plan

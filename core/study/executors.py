@@ -55,14 +55,12 @@ class TaskContext(NamedTuple):
 
     case : without walls, its records chosen
     base_dir : folder record paths start from, absolute
-    walls : of the whole case
     longest : period of the mechanisms of all walls [s]; None where a wall alone is a task
     files, program : `files_key` and `program_fingerprint` of the process that hands out
     """
 
     case: Case
     base_dir: Path
-    walls: int
     longest: float | None
     files: str
     program: str
@@ -71,9 +69,7 @@ class TaskContext(NamedTuple):
 def make_task_context(case: Case, base_dir: Path, inputs: Inputs, longest: float | None) -> TaskContext:
     """What the tasks of a case have in common. case : its records chosen; inputs, longest : as in Shared"""
     bare = replace(case, wall=(), source="", table_notes=(), files=())
-    return TaskContext(
-        bare, base_dir.absolute(), len(case.wall), longest, files_key(case, base_dir, inputs), program_fingerprint()
-    )
+    return TaskContext(bare, base_dir.absolute(), longest, files_key(case, base_dir, inputs), program_fingerprint())
 
 
 _read: dict[TaskContext, Inputs] = {}
@@ -98,7 +94,7 @@ def make_remote_plan(shared: TaskContext, walls: tuple[Wall, ...]) -> Plan:
             raise InputError("worker_other_files", worker=platform.node(), path=shared.base_dir)
         _read.clear()
         _read[shared] = inputs
-    return make_plan(replace(shared.case, wall=walls), inputs, None, shared.longest, None, shared.walls)
+    return make_plan(replace(shared.case, wall=walls), inputs, None, shared.longest)
 
 
 def iterate_results(

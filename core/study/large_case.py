@@ -83,7 +83,7 @@ def prepare_large_case(case: Case, base_dir: Path, cancelled: Callable[[], bool]
 def _plan(case: Case, inputs: Inputs, group: list[int], longest: float, floors: FloorCache):
     """The plan of a group of walls. longest : of the mechanisms of all walls [s]"""
     walls = tuple(case.wall[k] for k in group)
-    return make_plan(replace(case, wall=walls), inputs, None, longest, floors, len(case.wall))
+    return make_plan(replace(case, wall=walls), inputs, None, longest, floors)
 
 
 def common_result(large: LargeCase) -> StudyResult:

@@ -43,7 +43,7 @@ def run_wall(
     native.ready()
     inputs = read_inputs(case, base_dir)
     longest = longest_mechanism_period(case, require_value(inputs[0]))
-    plan = make_plan(single_wall_case(case, row), inputs, longest=longest, walls=len(case.wall))
+    plan = make_plan(single_wall_case(case, row), inputs, longest=longest)
     progress = Progress(task_costs(plan), lambda done, planned, left: None)
     return run_plan(plan, base_dir, Threads(jobs, cancelled), started, journal, progress)
 

@@ -188,8 +188,10 @@ def text_of_key(section: str, key: str, part: str, language: str) -> str:
 
 
 def choice(name: str, language: str) -> str:
-    """Word for a name that a key accepts, the name itself where it has none."""
-    return word(f"choice_{name}", language) if f"choice_{name}" in CATALOGUE["word"] else name
+    """Word for a name that a key accepts, of a key its own; the name itself where it has none."""
+    if f"choice_{name}" in CATALOGUE["word"]:
+        return word(f"choice_{name}", language)
+    return word(f"key_{name}", language) if name in CATALOGUE["key"] else name
 
 
 def capital(label: str) -> str:

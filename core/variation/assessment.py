@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from core.case.load_rules import carries
 from core.case.wall import Wall
 from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
 from core.codes.dynamic_check import DynamicCheck
+from core.codes.elastic_branch import Branch
 from core.codes.kinematic import SLD_CLAUSE, Check, KinematicAnalysis, zeta_with_and_without_ties
 from core.codes.kinematic_chain import sum_chain
 from core.codes.limits import ORDINARY_LIFE
@@ -20,17 +21,14 @@ from core.known import require_value
 from core.mechanism.holds import BASE, ENDS, FOOT, TOP
 from core.setting.check_input import CheckInput
 from core.setting.floors import LOW_CODE, building_notes
-from core.setting.plan import MANY_WALLS
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.assumptions import evaluate_assumptions
 from core.variation.changes import rescale_thickness
 from core.variation.evaluate import Evaluation, Reaction, check_by_histories, evaluate, find_reactions
+from core.variation.second_level import UnaskedRange, find_unasked_range
 from core.variation.tie_design import TieDesign
 from core.wall.arch import Arch
-
-FLOOR_REMARK_CODES = ("other_building", "at_centroid")
-"""Codes of what lifts zeta above the ground."""
 
 TRIAL_THICKNESS_FACTORS = (1.05, 1.1, 1.2, 1.3)
 """Multiples of the thickness at which zeta is looked at as well."""
@@ -71,7 +69,7 @@ class Assessment:
     dynamic : None without records
     lower_bound : the dynamic check of the two-sided wall, should the restraint behind a one-sided one fail
     bound_passes : whether the wall surely passes without what restrains it; None where nothing does
-    sensitivity : above the ground, zeta of the check that decides for another building and another height
+    unasked : the range of zeta over what no clause asks about, None where nothing moves it
     code_over_records : of `Floor.code_over_records`
     risk : of the check that decides, None where it has no zeta
     tie : the force that brings zeta to what is required, where one is asked for
@@ -84,7 +82,7 @@ class Assessment:
     dynamic: DynamicCheck | None
     lower_bound: DynamicCheck | None
     verdict: Verdict
-    sensitivity: dict[str, float | None] = field(default_factory=dict)
+    unasked: UnaskedRange | None = None
     code_over_records: float | None = None
     risk: Risk | None = None
     tie: TieDesign | None = None
@@ -120,10 +118,12 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     kinematic, dynamic, demand = evaluation.kinematic, evaluation.dynamic, scene.demand
     if kinematic is None:
         return Assessment(None, (), None, None, make_verdict(evaluation.evidence, None))
-    unheld = _without_restraint(scene, dynamic, cancelled)
+    made = evaluation.zeta is not None
+    unheld = _without_restraint(evaluation, cancelled) if evaluation.satisfied else None
     below = unheld.dynamic if unheld else None
-    made = evaluation.zeta is not None and not (scene.many and _fails_whatever_is_assumed(evaluation))
-    raised = evaluate_assumptions(evaluation, cancelled) if made else ()
+    raised: tuple[Assumption, ...] = ()
+    if made and (evaluation.satisfied or passes_with_q2(evaluation.made("linear_q_code"), demand.zeta_target)):
+        raised = evaluate_assumptions(evaluation, cancelled)
     limits, ratio = [one for one in (evaluation.lower_q_remark,) if one is not None], None
     if scene.floor is not None and scene.building is not None:
         limits += building_notes(scene.building, demand.limit_state)
@@ -131,32 +131,26 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
     limits += _of_life_and_records(evaluation)
+    limits += _of_the_branch(evaluation)
     limits += _hold_remark(evaluation)
     limits += [*_of_bending(kinematic, scene.wall, dynamic is not None), *_of_ties_not_counted(evaluation)]
     limits += _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
-    if evaluation.zeta is not None and not made:
-        limits.append(sentence("reason", "assumptions_not_made", n=MANY_WALLS))
-    free = unheld or _overturning(scene, cancelled)
-    bound, passes = (free.zeta, free.satisfied) if free else (None, None)
-    if free is not None and dynamic is None and free.satisfied and not scene.wall.kinematics.arches:
-        free, passes = None, False  # that it overturns only histories say, which lower zeta of the clauses
-    if bound is not None or (made and (scene.wall.kinematics.one_way or scene.wall.bends)):
-        raised = (*raised, _of_the_restraint(evaluation, free))
-    if (arch := kinematic.wall.arch) is not None:
-        raised = (*raised, _of_the_arch(evaluation, arch))
+    unasked = find_unasked_range(evaluation) if made else None
+    limits += [unasked.words] if unasked else []
+    bound, passes = None, None
+    if evaluation.satisfied:
+        free = unheld or _overturning(scene, cancelled)
+        bound, passes = (free.zeta, free.satisfied) if free else (None, None)
+        if free is not None and dynamic is None and free.satisfied and not scene.wall.kinematics.arches:
+            free, passes = None, False  # that it overturns only histories say, which lower zeta of the clauses
+        if bound is not None or scene.wall.kinematics.one_way or scene.wall.bends:
+            raised = (*raised, _of_the_restraint(evaluation, free))
+        if (arch := kinematic.wall.arch) is not None:
+            raised = (*raised, _of_the_arch(evaluation, arch))
     said = make_verdict(evaluation.evidence, bound, tuple(limits), raised)
-    sensitivity = {row.words.code: row.zeta for row in raised if row.words.code in FLOOR_REMARK_CODES}
-    parts = (kinematic, evaluation.checks, dynamic, below, said, sensitivity, ratio, _capacity(evaluation))
+    parts = (kinematic, evaluation.checks, dynamic, below, said, unasked, ratio, _capacity(evaluation))
     return Assessment(*parts, bound_passes=passes, reactions=find_reactions(evaluation))
-
-
-def _fails_whatever_is_assumed(evaluation: Evaluation) -> bool:
-    """Whether no row of the table of assumptions can change the outcome: the check that decides fails, and so does the
-    one with q = 2, which a row may only make fail."""
-    return not evaluation.satisfied and not passes_with_q2(
-        evaluation.made("linear_q_code"), evaluation.scene.demand.zeta_target
-    )
 
 
 def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:
@@ -208,17 +202,15 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
         DECLARED if hold else LEFT_OUT,
         zeta,
         free.outcome if free else "undetermined",
-        turns=evaluation.satisfied and not (stays or (free is not None and free.satisfied)),
+        turns=not (stays or (free is not None and free.satisfied)),
         reason=sentence("word", f"evidence_{shown.kind}") if shown else "",
     )
 
 
-def _without_restraint(
-    scene: CheckInput, dynamic: DynamicCheck | None, cancelled: Callable[[], bool]
-) -> Evaluation | None:
+def _without_restraint(evaluation: Evaluation, cancelled: Callable[[], bool]) -> Evaluation | None:
     """A one-sided wall with histories as it rocks both ways where what restrains it fails; None of another wall."""
-    wall = scene.wall
-    if dynamic is None or not wall.kinematics.one_way or not wall.in_si.rocks_both_ways:
+    scene, wall = evaluation.scene, evaluation.scene.wall
+    if evaluation.dynamic is None or not wall.kinematics.one_way or not wall.in_si.rocks_both_ways:
         return None
     free = replace(wall, mechanism="two_sided", restitution=None, velocity_ratio=None)
     return evaluate(scene.replace_parts(wall=free, mechanism="two_sided"), other=False, cancelled=cancelled)
@@ -250,7 +242,7 @@ def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
         DECLARED,
         0.0,
         "not_verified",
-        turns=evaluation.satisfied,
+        turns=True,
         reason=sentence("word", f"evidence_{require_value(hold.evidence).kind}") if hold.shows_strength else "",
     )
 
@@ -276,6 +268,21 @@ def _of_bending(kinematic: KinematicAnalysis, wall: Wall, with_histories: bool) 
     if mechanism.highest or moved.highest:
         limits.append(sentence("reason", "hinge_highest", height=mechanism.h1))
     return limits
+
+
+def _of_the_branch(evaluation: Evaluation) -> list[Sentence]:
+    """The elastic branch that the clause asks for in the histories of an element free to vibrate."""
+    branch = evaluation.dynamic.branch if evaluation.dynamic else None
+    if not isinstance(branch, Branch):
+        return []
+    said = {
+        "period": Number(branch.period, ".3f"),
+        "modulus": 1e-6 * branch.modulus,
+        "assumed": sentence("added", "assumed_modulus" if branch.assumed else "nothing"),
+        "limit": Number(branch.limit, ".2g"),
+        "own": Number(branch.own_period, ".3f"),
+    }
+    return [sentence("reason", "elastic_branch", **said)]
 
 
 HOLD_REMARKS = {TOP: "hold_top", BASE: "hold_base", FOOT: "hold_foot", ENDS: "hold_ends"}

@@ -9,10 +9,12 @@ from core.codes.kinematic import Check
 from core.codes.outcomes import PASSES
 from core.codes.verdict import find_outcome
 from core.errors import InputError
+from core.known import require_value
 from core.text.sentence import Key, Number, sentence
 from core.variation.evaluate import Evaluation, evaluate
 from core.variation.favourable_input import (
     LOAD_AND_MASONRY_KEYS,
+    Alternative,
     AlternativeEvaluations,
     FavourableInput,
     SceneChange,
@@ -43,55 +45,75 @@ def _turns(end: Evaluation | None, check: Check) -> bool:
 def evaluate_assumptions(
     evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: False
 ) -> tuple[Assumption, ...]:
-    """The inputs of a wall that raise zeta, each with zeta and the outcome at the other end of its range, and all of
-    them together; where no one of them turns the outcome, all together without a reason may.
+    """The inputs of a wall that raise zeta and that a clause asks about, each with zeta and the outcome at the other
+    end of its range, and all of them together; where no one of them turns the outcome, all together without a reason
+    may.
 
-    evaluation : the wall as it is, some check of which has a zeta
+    evaluation : the wall as it is, some check of which has a zeta; of one that fails, only what makes the check with
+        q = 2 fail too, without histories
     Raises Cancelled.
     """
-    decides, q_check = evaluation.decides, evaluation.made("linear_q_code")
-    assert decides is not None
-
-    def at(change: SceneChange, by_histories: bool) -> Evaluation | None:
-        there = evaluation.scene if by_histories else evaluation.scene.without_records()
-        try:
-            return evaluate(change(there), other=False, cancelled=cancelled)
-        except InputError:  # without what lifts it the wall does not stand
-            return None
-
     rows: list[Assumption] = []
     worst: list[tuple[Assumption, SceneChange]] = []
     for one in favourable_inputs(evaluation):
-        touched = decides.name != "dynamic" or one.histories
-        judged = [check for check in (decides if touched else None, q_check) if check is not None]
-        if not judged:
+        if (found := look_at(evaluation, one, evaluation.satisfied, cancelled)) is None:
             continue
-        ends = [at(end.change, touched) for end in one.ends]
-        told = _told(one, judged, ends, evaluation)
-        if told is None:
-            continue
-        zetas = [_zeta(end, told) for end in ends]
-        lowest = min(range(len(zetas)), key=lambda k: zeta_for_sorting(zetas[k]))
-        turns = {check.name for check in judged if any(_turns(end, check) for end in ends)}
-        row = Assumption(
-            one.key,
-            one.words(zetas, told),
-            one.value,
-            one.ends[lowest].value,
-            one.source,
-            zetas[lowest],
-            _outcome(ends[lowest], evaluation, touched),
-            turns=bool(decides.passed) and touched and decides.name in turns,
-            reason=one.reason,
-            turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
-            permitted=one.permitted,
-            raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(told.zeta),
-            check="" if told.name == decides.name else told.name,
-        )
+        row, end = found
         rows.append(row)
         if row.raises:
-            worst.append((row, one.ends[lowest].change))
-    return _together(rows, worst, evaluation, at)
+            worst.append((row, end.change))
+    if not evaluation.satisfied:
+        return tuple(row for row in rows if row.turns_q)
+    return _together(rows, worst, evaluation, cancelled)
+
+
+def look_at(
+    evaluation: Evaluation, one: FavourableInput, passes: bool, cancelled: Callable[[], bool] = lambda: False
+) -> tuple[Assumption, Alternative] | None:
+    """The row of an input with the end it shows, None where it moves no check that counts.
+
+    passes : the check that decides may turn; else the one with q of the code alone, without histories
+    Raises Cancelled.
+    """
+    decides, q_check = require_value(evaluation.decides), evaluation.made("linear_q_code")
+    touched = passes and (decides.name != "dynamic" or one.histories)
+    judged = [check for check in (decides if touched else None, q_check) if check is not None]
+    if not judged:
+        return None
+    ends = [_evaluate_at(evaluation, end.change, touched, cancelled) for end in one.ends]
+    told = _told(one, judged, ends, evaluation) if passes else q_check
+    if told is None:
+        return None
+    zetas = [_zeta(end, told) for end in ends]
+    lowest = min(range(len(zetas)), key=lambda k: zeta_for_sorting(zetas[k]))
+    turns = {check.name for check in judged if any(_turns(end, check) for end in ends)}
+    row = Assumption(
+        one.key,
+        one.phrase(zetas, told),
+        one.value,
+        one.ends[lowest].value,
+        one.source,
+        zetas[lowest],
+        _outcome(ends[lowest], evaluation, touched),
+        turns=bool(decides.passed) and touched and decides.name in turns,
+        reason=one.reason,
+        turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
+        permitted=one.permitted,
+        raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(told.zeta),
+        check="" if told.name == decides.name else told.name,
+    )
+    return row, one.ends[lowest]
+
+
+def _evaluate_at(
+    evaluation: Evaluation, change: SceneChange, by_histories: bool, cancelled: Callable[[], bool]
+) -> Evaluation | None:
+    """The wall with a change, None where it does not stand without what lifts it."""
+    there = evaluation.scene if by_histories else evaluation.scene.without_records()
+    try:
+        return evaluate(change(there), other=False, cancelled=cancelled)
+    except InputError:
+        return None
 
 
 def _all_of(changes: Iterable[SceneChange]) -> SceneChange:
@@ -155,12 +177,15 @@ def _told(
 
 
 def _together(
-    rows: list[Assumption], worst: list[tuple[Assumption, SceneChange]], evaluation: Evaluation, at
+    rows: list[Assumption],
+    worst: list[tuple[Assumption, SceneChange]],
+    evaluation: Evaluation,
+    cancelled: Callable[[], bool],
 ) -> tuple[Assumption, ...]:
     """The rows, and the last one, all of them; where none turns a check alone, and all without a reason do together,
     each of these does.
 
-    worst : (row, change to the end with the lowest zeta) of each; at(change, by_histories) : the wall there
+    worst : (row, change to the end with the lowest zeta) of each
     """
     decides, q_check = evaluation.decides, evaluation.made("linear_q_code")
     assert decides is not None
@@ -170,7 +195,7 @@ def _together(
     asked_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unsaid)
 
     def there(pairs, by_histories: bool) -> Evaluation | None:
-        return at(_all_of(change for _, change in pairs), by_histories)
+        return _evaluate_at(evaluation, _all_of(change for _, change in pairs), by_histories, cancelled)
 
     if len(unsaid) > 1 and (asked or asked_q):
         end = there(unsaid, asked)

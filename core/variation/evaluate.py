@@ -20,7 +20,7 @@ from core.codes.kinematic import (
     make_kinematic_checks,
 )
 from core.codes.limits import counted_stations
-from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key, worst_outcome
+from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key
 from core.codes.verdict import find_outcome
 from core.codes.vertical_bending import uplift_multiplier
 from core.errors import InputError
@@ -100,13 +100,13 @@ class Evaluation:
     def evidence(self) -> Evidence:
         """Evidence the verdict is judged by."""
         scene = self.scene
-        motions, demand, floor = scene.motions, scene.demand, scene.floor
+        motions, demand = scene.motions, scene.demand
         circumstances = Circumstances(
             stations=len(counted_stations(motions, demand)),
             bundled=any(value.startswith(BUNDLED_HEADER) for motion in motions for _, value in motion.details),
             strongest=max((demand.scaling(motion) * motion.pga for motion in motions), default=0.0),
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
-            period_estimated=scene.period_taken or (floor is not None and floor.estimated),
+            histories_off=scene.histories_off and not motions,
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
             sound=len(counted_stations([motion for motion in motions if not is_doubtful(motion)], demand)),
@@ -159,14 +159,8 @@ def evaluate(
 
     other : with FC on the other side too, which decides whether an outcome that passes is more than indicative
     cancelled : asked between two chunks of analyses
-    Where something is left out that has several readings, by the worst of them: the scene returned is that one.
     Raises InputError where a check cannot be made of the wall, and Cancelled.
     """
-    if readings := scene.period_alternatives:
-        return worst_outcome(
-            (evaluate(reading, precision, other, cancelled) for reading in readings),
-            lambda one: (one.outcome, one.zeta, one.scene.demand.zeta_target),
-        )
     if (threshold := uplift_multiplier(scene.wall.in_si, scene.mechanism)) <= 0.0:  # of no case, but of a value moved
         raise InputError("unstable_under_loads", threshold=threshold)
     kinematic = scene.kinematic

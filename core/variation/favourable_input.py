@@ -5,6 +5,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
+from core.case.asked import ASKED
+from core.case.document import Document, Evidence, document_of
 from core.codes.assumption import GIVEN, DisplayValue
 from core.codes.kinematic import Check
 from core.setting.check_input import CheckInput
@@ -14,6 +16,9 @@ from core.variation.evaluate import Evaluation
 AlternativeEvaluations = list[Evaluation | None]
 """The wall at the other ends of the range of an input; None where it does not stand there."""
 
+
+ShownBy = tuple[Evidence, ...] | Document | None
+"""Evidence of a wall or of the demand, or the one document of what holds it."""
 
 SceneChange = Callable[[CheckInput], CheckInput]
 
@@ -30,29 +35,47 @@ class Alternative(NamedTuple):
 
 @dataclass(frozen=True)
 class FavourableInput:
-    """An input that raises zeta.
+    """An input that raises zeta, and that a clause asks about.
 
-    key : of the case and of the reasons; reasons : sections of them, or None
+    code : of its sentence, and of the table of what is asked (core.case.asked.py)
+    key : of the case; shown_by : evidence of its section, or the document of what it is about
     value : of it, as the table shows it
     ends : the other ends of its range
-    words : from zeta of each end, and its check, the Sentence
+    words : from zeta of each end, and its check, the Sentence; by default that of the end with the lowest zeta
     source, permitted : as of an Assumption
     histories : the dynamic check knows of it; otherwise its words are of the linear check
     """
 
+    code: str
     key: str
-    reasons: object
+    shown_by: ShownBy
     value: DisplayValue
     ends: tuple[Alternative, ...]
-    words: Callable[[list[float | None], Check], Sentence]
+    words: Callable[[list[float | None], Check], Sentence] | None = None
     source: str = GIVEN
     histories: bool = True
     permitted: bool = False
 
     @property
-    def reason(self) -> str:
-        """Reason the engineer gives, "" without one."""
-        return str(getattr(self.reasons, self.key, "") or "") if self.reasons else ""
+    def clause(self) -> str:
+        """Clause that asks about it."""
+        return ASKED[self.code].clause
+
+    @property
+    def reason(self) -> Sentence | str:
+        """The document that shows its value, in words; "" without one."""
+        given = self.shown_by
+        shown = document_of(given, self.key) if isinstance(given, tuple) else given
+        return shown.words if shown else ""
+
+    def phrase(self, zetas: list[float | None], check: Check) -> Sentence:
+        """Its sentence. zetas : at each end; check : they are of"""
+        if self.words is not None:
+            return self.words(zetas, check)
+        k = min(range(len(zetas)), key=lambda k: zeta_for_sorting(zetas[k]))
+        value = self.ends[k].value
+        end = Number(value, ".2g") if isinstance(value, float) else value
+        return sentence("reason", self.code, zeta=zeta_phrase(zetas[k]), end=end, check=check_phrase(check))
 
 
 def zeta_for_sorting(zeta: float | None) -> float:
@@ -68,18 +91,6 @@ def demand_change(**values) -> SceneChange:
     return lambda scene: scene.replace_parts(demand=replace(scene.demand, **values))
 
 
-def lowest_zeta_sentence(code: str, ends: tuple[Alternative, ...]) -> Callable[[list[float | None], Check], Sentence]:
-    """The words of an input by the other end with the lowest zeta."""
-
-    def words(zetas: list[float | None], check: Check) -> Sentence:
-        k = min(range(len(zetas)), key=lambda k: zeta_for_sorting(zetas[k]))
-        value = ends[k].value
-        end = Number(value, ".2g") if isinstance(value, float) else value
-        return sentence("reason", code, zeta=zeta_phrase(zetas[k]), end=end, check=check_phrase(check))
-
-    return words
-
-
 def zeta_phrase(zeta: float | None) -> Number | Sentence:
     """zeta at another end within a sentence; where there is none, that the wall may not stand there."""
     return sentence("added", "no_zeta") if zeta is None else Number(zeta)
@@ -93,7 +104,7 @@ def check_phrase(check: Check) -> Sentence:
 def single_alternative(
     key: str,
     code: str,
-    reasons,
+    shown_by: ShownBy,
     value: DisplayValue,
     end: Alternative,
     source=GIVEN,
@@ -107,17 +118,8 @@ def single_alternative(
         told = {"check": check_phrase(check)} if key in LOAD_AND_MASONRY_KEYS else {}
         return sentence("reason", code, zeta=zeta_phrase(zetas[0]), **told, **values)
 
-    return FavourableInput(key, reasons, value, (end,), words, source, histories, permitted)
+    return FavourableInput(code, key, shown_by, value, (end,), words, source, histories, permitted)
 
 
-LOAD_AND_MASONRY_KEYS = (
-    "elongation_m",
-    "slack_mm",
-    "prestress",
-    "anchorage_kn",
-    "load",
-    "h_m",
-    "unit_weight_kn_m3",
-    "masonry",
-)
+LOAD_AND_MASONRY_KEYS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load", "h_m", "unit_weight_kn_m3")
 """Keys of what loads and masonry raise, told only where the other end is the lower one."""

@@ -24,7 +24,6 @@ from core.variation.favourable_input import (
     FavourableInput,
     SceneChange,
     check_phrase,
-    lowest_zeta_sentence,
     single_alternative,
 )
 from core.wall.masonry import COUNTED
@@ -72,45 +71,32 @@ LOW_HEIGHT, LOW_HEIGHT_IN_WALL = 1.0, 2.0
 """Heights above the hinge [m] up to which no floor stands that the part above the hinge carries: any, and one in the
 lower half of the wall."""
 
-LEVER = 0.05
-"""Distance, over the thickness, by which the point where a load stands may be another [-]."""
-
 
 def favourable_weights(scene: CheckInput) -> Iterator[FavourableInput]:
-    """What the mass of vertical loads does, and where they stand, otherwise; the wall without what is carried low, is
+    """What the mass of vertical loads does otherwise; the wall without what is carried low, is
     variable, or moves with it."""
     wall, t = scene.wall, scene.wall.thickness
     weights = [load for load in wall.load if load.rests]
     if t is None or not any(load.is_weight for load in wall.load):
         return
     yield from _of_weights_that_may_go(scene)
-    changes: dict[str, list[tuple[Callable[[Wall], tuple[Load, ...]], Sentence]]] = {
-        "mass": [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES]
-        if weights
-        else [],
-        "d_m": [
-            (partial(_moved_weights, by=by), sentence("word", "moved_by", cm=Number(100.0 * by, "+.1f")))
-            for by in (-LEVER * t, LEVER * t)
-        ],
-    }
-    for key, ends in changes.items():
-        others = tuple(Alternative(_with_loads(change), said) for change, said in ends if _may_be(scene, change(wall)))
-        if others:
-            given = weights[0].mass if key == "mass" else None
-            value = sentence("word", f"choice_{given}") if given else GIVEN_WORD
-            words = lowest_zeta_sentence("lift_mass" if key == "mass" else "lift_lever", others)
-            yield FavourableInput(key, wall.justification, value, others, words)
+    choices = [(partial(_of_weights, mass=mass), sentence("word", f"choice_{mass}")) for mass in MASSES]
+    ends = [(change, said) for change, said in choices if weights and _may_be(scene, change(wall))]
+    if ends:
+        others = tuple(Alternative(_with_loads(change), said) for change, said in ends)
+        value = sentence("word", f"choice_{weights[0].mass}")
+        yield FavourableInput("lift_mass", "mass", wall.evidence, value, others)
 
 
 def _of_weights_that_may_go(scene: CheckInput) -> Iterator[FavourableInput]:
     """The wall without the weights that stand low above the hinge, without variable ones, and without masses it
     carries. A permanent load of a floor is there; what may not be, and lifts, is asked about."""
-    wall, reasons = scene.wall, scene.wall.justification
+    wall = scene.wall
     lowest = [load.h_m for load in wall.load if _is_low(wall, load)]
     low, carried = _without(_is_low), _without(lambda _, load: _is_carried(load))
     if lowest and _may_be(scene, tuple(load for load in wall.load if not _is_low(wall, load))):
         end, height = Alternative(low, sentence("word", "below_hinge")), Number(min(lowest), ".2f")
-        yield single_alternative("h_m", "lift_low_load", reasons, GIVEN_WORD, end, height=height)
+        yield single_alternative("h_m", "lift_low_load", wall.evidence, GIVEN_WORD, end, height=height)
     permanent = tuple(
         replace(load, kn_m=load.g_kn_m, q_kn_m=None, psi_2=None) if load.g_kn_m else load for load in wall.load
     )
@@ -119,9 +105,9 @@ def _of_weights_that_may_go(scene: CheckInput) -> Iterator[FavourableInput]:
         end = Alternative(
             lambda there: there.replace_parts(wall=replace(there.wall, load=permanent)), sentence("word", "permanent")
         )
-        yield single_alternative("load", "lift_variable", reasons, GIVEN_WORD, end)
+        yield single_alternative("load", "lift_variable", wall.evidence, GIVEN_WORD, end)
     if any(map(_is_carried, wall.load)) and _may_be(scene, tuple(load for load in wall.load if not _is_carried(load))):
-        yield single_alternative("load", "lift_carried", reasons, GIVEN_WORD, Alternative(carried, NONE_WORD))
+        yield single_alternative("load", "lift_carried", wall.evidence, GIVEN_WORD, Alternative(carried, NONE_WORD))
 
 
 def _is_low(wall: Wall, load: Load) -> bool:
@@ -144,18 +130,6 @@ def _of_weights(wall: Wall, **values) -> tuple[Load, ...]:
     return tuple(replace(load, **values) if load.rests else load for load in wall.load)
 
 
-def _moved_weights(wall: Wall, by: float) -> tuple[Load, ...]:
-    """The loads of a wall, its weights standing further inward [m], within it."""
-    assert wall.thickness is not None
-
-    def there(load: Load) -> Load:
-        if not load.is_weight or load.d_m is None or wall.thickness is None:
-            return load
-        return replace(load, d_m=min(max(load.d_m + by, 0.0), wall.thickness))
-
-    return tuple(there(load) for load in wall.load)
-
-
 UNSTABLE = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_falls")
 """Codes of the errors of a wall that does not stand: the worst that another end can say."""
 
@@ -175,14 +149,14 @@ def _may_be(scene: CheckInput, loads: tuple[Load, ...]) -> bool:
 
 def favourable_ties_and_forces(scene: CheckInput, clauses: bool) -> Iterator[FavourableInput]:
     """Inputs of the ties, and of forces that always pull inward, that raise zeta. clauses : no histories are made"""
-    wall, reasons = scene.wall, scene.wall.justification
-    given = wall.ties
+    wall, given = scene.wall, scene.wall.ties
+    of_ties = given[0].evidence if given and all(tie.shows_strength for tie in given) else None
     if any(tie.stands_more for tie in (wall.in_si.ties if given else ())):
         end = Alternative(_of_ties(elongation_m=None), NONE_WORD)
-        yield single_alternative("elongation_m", "lift_elongation", reasons, GIVEN_WORD, end)
+        yield single_alternative("elongation_m", "lift_elongation", of_ties, GIVEN_WORD, end)
     if any(_breaks(tie, scene) for tie in given):  # no clause follows a bar that breaks
         end = Alternative(lambda tied: _drop_ties(lambda tie: _breaks(tie, tied))(tied), _no_ties())
-        yield single_alternative("elongation_m", "lift_brittle", reasons, GIVEN_WORD, end, histories=clauses)
+        yield single_alternative("elongation_m", "lift_brittle", of_ties, GIVEN_WORD, end, histories=clauses)
     if any(tie.slack_mm for tie in given):
         ends = (
             Alternative(_of_ties(slack_mm=None), NONE_WORD),
@@ -191,23 +165,23 @@ def favourable_ties_and_forces(scene: CheckInput, clauses: bool) -> Iterator[Fav
         words = lambda zetas, check: sentence(  # noqa: E731
             "reason", "lift_slack", zeta_taut=Number(zetas[0]), zeta=Number(zetas[1]), check=check_phrase(check)
         )
-        yield FavourableInput("slack_mm", reasons, GIVEN_WORD, ends, words)
+        yield FavourableInput("lift_slack", "slack_mm", of_ties, GIVEN_WORD, ends, words)
     if any(map(_anchorage_open, given)):
         end = Alternative(_drop_ties(_anchorage_open), _no_ties())
         unsaid = sentence("accepted", "missing")
         yield single_alternative(
-            "anchorage_kn", "lift_anchorage", reasons, unsaid, end, LEFT_OUT, anchorage_kn=Key("anchorage_kn")
+            "anchorage_kn", "lift_anchorage", of_ties, unsaid, end, LEFT_OUT, anchorage_kn=Key("anchorage_kn")
         )
     if any(tie.prestress for tie in given):
         yield single_alternative(
-            "prestress", "lift_prestress", reasons, GIVEN_WORD, Alternative(_of_ties(prestress=None), NONE_WORD)
+            "prestress", "lift_prestress", of_ties, GIVEN_WORD, Alternative(_of_ties(prestress=None), NONE_WORD)
         )
     if wall.kinematics.bends_up:
         end = Alternative(_bent_inward, sentence("word", "inward"))
-        yield single_alternative("load", "lift_bends_inward", reasons, sentence("word", "outward"), end)
+        yield single_alternative("load", "lift_bends_inward", wall.evidence, sentence("word", "outward"), end)
     if any(map(_pulls_inward, wall.load)):
         end = Alternative(_without(lambda _, load: _pulls_inward(load)), NONE_WORD)
-        yield single_alternative("load", "lift_inward", reasons, GIVEN_WORD, end)
+        yield single_alternative("load", "lift_inward", wall.evidence, GIVEN_WORD, end)
 
 
 def _no_ties() -> Sentence:

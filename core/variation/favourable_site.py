@@ -8,18 +8,19 @@ from typing import Any
 
 import numpy as np
 
-from core.case.site import Building, Demand, DemandJustification, HazardRow, Spectrum
+from core.case.document import DemandEvidence
+from core.case.site import Building, Demand, HazardRow, Spectrum
 from core.codes.assumption import DEFAULT, GIVEN, DisplayValue
 from core.codes.demand import SeismicDemand
-from core.codes.floor_spectrum import estimated_period, first_mode
+from core.codes.floor_spectrum import first_mode
 from core.codes.limits import ORDINARY_LIFE, return_period
 from core.codes.national_hazard import national_range
 from core.codes.spectrum_codes import CODES, NATIONAL
 from core.codes.target_spectrum import housner_intensity
 from core.errors import InputError
-from core.setting.check_input import ESTIMATES, CheckInput
+from core.setting.check_input import CheckInput
 from core.setting.demand_input import hazard_covers, interpolate_hazard, read_target_spectrum, rescale_ag
-from core.setting.floors import MAX_STOREY, MIN_STOREY, damaged_period_and_damping, period_and_damping_bounds
+from core.setting.floors import damaged_period_and_damping, period_and_damping_bounds
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.favourable_input import (
@@ -27,9 +28,7 @@ from core.variation.favourable_input import (
     FavourableInput,
     SceneChange,
     demand_change,
-    lowest_zeta_sentence,
     single_alternative,
-    wall_change,
     zeta_for_sorting,
 )
 
@@ -38,11 +37,10 @@ def favourable_demand(scene: CheckInput) -> Iterator[FavourableInput]:
     """Inputs that make the demand milder than the code's: a limit state whose a_g nothing shows to be its own, a zeta
     required below 1, a soil factor below 1, a short reference period, a spectrum that is not the code's."""
     demand, asked = scene.demand, scene.asked
-    reasons = asked.justification
+    reasons = asked.evidence
     if demand.limit_state == "SLC":
-        if demand.return_period is not None and not (reasons and reasons.limit_state):
-            years = f"T_R {demand.return_period:.0f}"
-            reasons = replace(reasons or DemandJustification(), limit_state=years)
+        if demand.return_period is not None:
+            reasons += (DemandEvidence("calculation", f"T_R {demand.return_period:.0f}", of="limit_state"),)
         end = Alternative(demand_change(limit_state="SLV"), "SLV")
         yield single_alternative("limit_state", "lift_limit_state", reasons, "SLC", end)
     if demand.zeta_target < 1.0:
@@ -66,7 +64,7 @@ def _of_the_life(scene: CheckInput) -> Iterator[FavourableInput]:
     years, known = np.log(demand.hazard).T
     ag = math.exp(float(np.interp(math.log(return_period(ORDINARY_LIFE, demand.limit_state)), years, known)))
     there = rescale_ag(demand, asked, Path(), ag / demand.ag)
-    reasons, given = asked.justification, sentence("added", "reference_life", years=life)
+    reasons, given = asked.evidence, sentence("added", "reference_life", years=life)
     end = Alternative(lambda scene: scene.with_demand(there), sentence("added", "reference_life", years=ORDINARY_LIFE))
     yield single_alternative(
         "nominal_life_years", "lift_life", reasons, given, end, years=life, least=ORDINARY_LIFE, ag=ag / G
@@ -76,7 +74,7 @@ def _of_the_life(scene: CheckInput) -> Iterator[FavourableInput]:
 def _of_the_spectrum(scene: CheckInput) -> Iterator[FavourableInput]:
     """F_0 and T_C* that no place of Italy has, and another spectrum than that of NTC 2018 which the hazard gives."""
     demand, asked = scene.demand, scene.asked
-    reasons, spectrum = asked.justification, asked.spectrum
+    reasons, spectrum = asked.evidence, asked.spectrum
     if spectrum is not None and spectrum.code == NATIONAL:
         for key, (least, most) in zip(("f0", "tc_star_s"), national_range(), strict=True):
             given = getattr(spectrum, key)
@@ -137,14 +135,6 @@ def _of_building(**values) -> SceneChange:
     return change
 
 
-def _with_period(building: Building, period: float) -> SceneChange:
-    """The building with this first period [s], all its modes in proportion."""
-    if not building.modes:
-        return _of_building(period_s=period)
-    factor = period / building.modes[0].period_s
-    return _of_building(modes=tuple(replace(mode, period_s=factor * mode.period_s) for mode in building.modes))
-
-
 def _building_words(factor: float, damping: float) -> Sentence:
     """The ratio of the period to the elastic one, and the damping of a building, as the table shows them."""
     return sentence("added", "period_and_damping", factor=factor, damping=damping)
@@ -180,19 +170,6 @@ def favourable_building(scene: CheckInput, building: Building) -> Iterator[Favou
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
     base, felt = wall.base_z_m, wall.demand_height_m
     assert base is not None and felt is not None
-    storey = building.height_m / building.storeys
-    if not MIN_STOREY <= storey <= MAX_STOREY and not building.modes:
-        many = math.ceil(building.height_m / MIN_STOREY)
-        end, reasons = Alternative(_of_building(storeys=many), float(many)), asked.justification
-        yield single_alternative(
-            "storeys", "lift_storeys", reasons, float(building.storeys), end, storey=storey, many=many
-        )
-    first = building.modes[0].period_s if building.modes else building.period_s
-    if first is not None and not scene.period_taken:
-        estimated = estimated_period(building.height_m)
-        periods = [factor * estimated for factor in ESTIMATES]
-        there = tuple(Alternative(_with_period(building, t), t) for t in periods if abs(t / first - 1.0) > 0.01)
-        yield FavourableInput("period_s", asked.justification, first, there, lowest_zeta_sentence("lift_period", there))
     if ends := period_and_damping_bounds(building, limit_state):
 
         def words(zetas, _):
@@ -204,14 +181,7 @@ def favourable_building(scene: CheckInput, building: Building) -> Iterator[Favou
         there = tuple(Alternative(_building_at(*end), _building_words(*end)) for end in ends)
         value = _building_words(*damaged_period_and_damping(building, limit_state))
         source = GIVEN if given else DEFAULT
-        yield FavourableInput("building", asked.justification, value, there, words, source, permitted=not given)
-    half = 0.5 * (wall.height_m or wall.block().height)
-    if wall.has_shape:
-        half = wall.in_si.bare.centroid[1]
-    centroid = min(base + half, building.height_m)
-    if not building.modes and centroid > felt:
-        end = Alternative(wall_change(base_z_m=centroid), centroid)
-        yield single_alternative("base_z_m", "at_centroid", wall.justification, base, end, z=centroid)
+        yield FavourableInput("other_building", "building", asked.evidence, value, there, words, source)
     if building.modes:
         _, damping = damaged_period_and_damping(building, limit_state)
         z = min(felt, building.height_m)
@@ -220,5 +190,5 @@ def favourable_building(scene: CheckInput, building: Building) -> Iterator[Favou
         share = max(abs(expected.participation), abs(given))
         if len(building.modes) > 1 or abs(given) < share * (1.0 - 1e-6):  # modes of opposite signs cancel
             code = "lift_modes" if len(building.modes) > 1 else "lift_participation"
-            end, reasons = Alternative(_by_first_mode(share), share), asked.justification
+            end, reasons = Alternative(_by_first_mode(share), share), asked.evidence
             yield single_alternative("participation", code, reasons, given, end, given=given, expected=share)

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.document import document_of
 from core.case.site import FULL_FACTOR
-from core.case.wall import Wall, WallJustification
+from core.case.wall import Wall
 from core.codes.assumption import DECLARED, DEFAULT, GIVEN
-from core.codes.elastic_branch import ELASTIC, Branch, can_have_branch
-from core.codes.limits import MIN_STATIONS_FOR_MEAN, MIN_STATIONS_FOR_MINIMUM
+from core.codes.elastic_branch import ELASTIC, can_have_branch
+from core.codes.limits import MIN_STATIONS_FOR_MINIMUM
 from core.codes.masonry_types import least_strength, moduli, weights
 from core.codes.verdict_sentence import CODE_Q
 from core.errors import InputError
@@ -21,7 +21,7 @@ from core.ground.scattered import SPREAD
 from core.known import require_value
 from core.setting import demand_input
 from core.setting.check_input import CheckInput
-from core.setting.demand_input import default_motions, find_generation_settings
+from core.setting.demand_input import find_generation_settings
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
 from core.variation.favourable_input import (
@@ -32,7 +32,6 @@ from core.variation.favourable_input import (
     SceneChange,
     check_phrase,
     demand_change,
-    lowest_zeta_sentence,
     single_alternative,
     wall_change,
 )
@@ -78,8 +77,9 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
             Alternative(wall_change(restitution=None, velocity_ratio=None), ratio),
         )
         yield FavourableInput(
+            "lift_velocity_ratio",
             key,
-            wall.justification,
+            wall.evidence,
             given,
             ends,
             lambda zetas, _: sentence(
@@ -98,22 +98,19 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
         yield single_alternative(
             "confidence_factor",
             "lift_confidence_factor",
-            asked.justification,
+            asked.evidence,
             demand.confidence_factor,
             Alternative(demand_change(confidence_factor=FULL_FACTOR), FULL_FACTOR),
             fc=demand.confidence_factor,
             level=asked.knowledge_level or "",
-            investigations=asked.investigations,
         )
     if q_check is not None and q_check.q is not None and q_check.q > CODE_Q:
         end = Alternative(demand_change(q_code=CODE_Q), CODE_Q)
-        reasons = asked.justification
+        reasons = asked.evidence
         yield single_alternative("q_code", "lift_q_code", reasons, demand.q_code, end, histories=False, q=demand.q_code)
     if wall.return_walls is not None and q_check is not None:
         end = Alternative(wall_change(return_walls=None), NONE_WORD)
-        yield single_alternative(
-            "return_walls", "lift_return_walls", wall.justification, GIVEN_WORD, end, histories=False
-        )
+        yield single_alternative("return_walls", "lift_return_walls", wall.evidence, GIVEN_WORD, end, histories=False)
     yield from favourable_demand(scene)
     yield from _of_the_set(evaluation)
     yield from favourable_ties_and_forces(scene, not dynamic)
@@ -122,8 +119,9 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
         code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
         end = Alternative(wall_change(free_element=None), _free(not wall.free_element))
         yield FavourableInput(
+            code,
             "free_element",
-            wall.justification,
+            wall.evidence,
             _free(wall.free_element),
             (end,),
             lambda zetas, check: sentence("reason", code, zeta=Number(zetas[0]), check=check_phrase(check)),
@@ -133,18 +131,14 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
     yield from _of_the_shape(wall, scene.mechanism)
     yield from _of_the_body(scene)
     yield from _of_the_edge(scene)
-    yield from _of_the_unit_weight(scene)
-    if not dynamic and _histories_left_out(evaluation):
-        there = tuple(default_motions(demand))
-        end = Alternative(lambda scene: scene.replace_parts(ground=there, by_default=True), sentence("word", "made"))
-        yield single_alternative("histories", "lift_histories", asked.justification, sentence("word", "not_made"), end)
+    yield from _of_unlike_weights(wall)
     if wall.above_ground and scene.building is not None:
         yield from favourable_building(scene, scene.building)
 
 
 def _of_the_set(evaluation: Evaluation) -> Iterator[FavourableInput]:
-    """A generated set that scatters less than nature does, or has fewer motions than the usual one."""
-    scene, usual = evaluation.scene, demand_input.DEFAULT_SET.count
+    """A generated set that scatters less than nature does."""
+    scene = evaluation.scene
     if scene.by_default or not evaluation.satisfied:
         return
     asked = find_generation_settings(scene.ground)
@@ -154,23 +148,8 @@ def _of_the_set(evaluation: Evaluation) -> Iterator[FavourableInput]:
         return
     if asked.scatter < SPREAD:
         natural = replace(asked, scatter=SPREAD)
-        end, reasons = Alternative(lambda scene: scene.regenerate_motions(natural), SPREAD), scene.asked.justification
+        end, reasons = Alternative(lambda scene: scene.regenerate_motions(natural), SPREAD), scene.asked.evidence
         yield single_alternative("scatter", "lift_scatter", reasons, asked.scatter, end, given=asked.scatter)
-    if asked.count != usual:
-        more = replace(asked, count=usual)
-        end = Alternative(lambda scene: scene.regenerate_motions(more), float(usual))
-        said = {"given": asked.count, "usual": usual}
-        permitted = (
-            MIN_STATIONS_FOR_MEAN <= asked.count < usual
-        )  # fewer are no set whose mean counts, more may be chosen by zeta
-        code = "lift_count" if asked.count < usual else "lift_more"
-        reasons = None if permitted else scene.asked.justification
-        yield single_alternative("count", code, reasons, float(asked.count), end, permitted=permitted, **said)
-    first = demand_input.DEFAULT_SET.seed
-    if asked.seed != first:
-        other = replace(asked, seed=first)
-        end = Alternative(lambda scene: scene.regenerate_motions(other), float(first))
-        yield single_alternative("seed", "lift_seed", None, float(asked.seed), end, seed=asked.seed, first=first)
 
 
 def _of_records_alike(scene: CheckInput) -> Iterator[FavourableInput]:
@@ -180,49 +159,22 @@ def _of_records_alike(scene: CheckInput) -> Iterator[FavourableInput]:
         return
     spread = float(np.log(seen.spectra).std(axis=0, ddof=1).mean())
     if spread < MIN_SPREAD_SHARE * SPREAD:
-        reasons = scene.asked.justification
+        reasons = scene.asked.evidence
         end = Alternative(lambda scene: scene.regenerate_motions(demand_input.DEFAULT_SET), SPREAD)
         yield single_alternative("scatter", "lift_alike", reasons, spread, end, given=spread, usual=SPREAD)
 
 
 def _of_the_law(evaluation: Evaluation) -> Iterator[FavourableInput]:
-    """Inputs of the moment law that raise zeta: a trilinear law, the branch of an element free to vibrate, and a rigid
-    law in its place."""
+    """Inputs of the moment law that raise zeta: a trilinear law, and a rigid law in place of the branch of
+    an element free to vibrate."""
     scene, wall = evaluation.scene, evaluation.scene.wall
     if not wall.moment_law().is_rigid:
         end = Alternative(wall_change(law="rigid"), "rigid")
-        yield single_alternative("law", "lift_law", wall.justification, _law_named(wall.law), end)
-    if evaluation.dynamic is not None and isinstance(evaluation.dynamic.branch, Branch):
-        yield _of_the_branch(evaluation.dynamic.branch)
+        yield single_alternative("law", "lift_law", wall.evidence, _law_named(wall.law), end)
     given = wall.law == "rigid" and wall.in_si.is_free(scene.mechanism) and evaluation.satisfied
     if given and can_have_branch(wall.in_si, scene.mechanism):  # a wall that fails without it is not asked
         end = Alternative(wall_change(law=ELASTIC), sentence("word", "with_branch"))
-        yield single_alternative("law", "lift_rigid", wall.justification, sentence("word", "choice_rigid"), end)
-
-
-def _of_the_branch(branch: Branch) -> FavourableInput:
-    """The elastic branch of an element free to vibrate, with the rigid law beside it: the clause asks for the branch,
-    also where the rigid wall fares worse."""
-    said = {
-        "period": Number(branch.period, ".3f"),
-        "modulus": 1e-6 * branch.modulus,
-        "assumed": sentence("added", "assumed_modulus" if branch.assumed else "nothing"),
-        "limit": Number(branch.limit, ".2g"),
-        "own": Number(branch.own_period, ".3f"),
-    }
-    value, end = (
-        sentence("word", "with_branch"),
-        Alternative(wall_change(law="rigid"), sentence("word", "choice_rigid")),
-    )
-    return single_alternative("law", "elastic_branch", None, value, end, DEFAULT, permitted=True, **said)
-
-
-def _histories_left_out(evaluation: Evaluation) -> bool:
-    """Whether histories could be made of the wall, and are not; of one that fails without them they are not asked
-    for."""
-    scene, demand = evaluation.scene, evaluation.scene.demand
-    can = demand.target is not None and demand.limit_state in LIMIT_FRACTION and not scene.wall.kinematics.arches
-    return can and scene.histories_off and not scene.ground and evaluation.satisfied
+        yield single_alternative("law", "lift_rigid", wall.evidence, sentence("word", "choice_rigid"), end)
 
 
 def _of_the_edge(scene: CheckInput) -> Iterator[FavourableInput]:
@@ -232,16 +184,10 @@ def _of_the_edge(scene: CheckInput) -> Iterator[FavourableInput]:
     if wall.kinematics.arches:
         yield from _of_the_hinges(scene)
         return
-    weakest, least = least_strength(wall.masonry), _setback_at(wall, wall.masonry)
-    of_any = _setback_at(wall, None)
-    if wall.masonry and of_any > max(least, wall.setback) and wall.compressive_strength_mpa is None:
-        end = Alternative(_turning_inside(wall, of_any, masonry=None), sentence("word", "masonry_unknown"))
-        named_type = sentence("word", f"choice_{wall.masonry}")
-        said = {"masonry": named_type, "cm": 100.0 * of_any}
-        yield single_alternative("masonry", "lift_masonry", None, named_type, end, permitted=True, **said)
+    weakest, least = least_strength(wall.masonry), setback_at(wall, wall.masonry)
     if wall.setback >= least * (1.0 - 1e-9):
         return
-    there = _turning_inside(wall, least)
+    there = turning_inside(wall, least)
     f, cm = wall.compressive_strength_mpa, 100.0 * least
     if f is None:
         source = GIVEN if wall.hinge_setback_m else DEFAULT
@@ -251,13 +197,10 @@ def _of_the_edge(scene: CheckInput) -> Iterator[FavourableInput]:
         yield single_alternative("hinge_setback_m", code, None, given, end, source, permitted=True, **said)
     elif f > weakest:
         tested = scene.demand.confidence_factor < FULL_FACTOR  # then the strength is that of tests, as it must be
-        reasons = wall.justification
-        if tested and not (reasons and reasons.compressive_strength_mpa):
-            reasons = replace(reasons or WallJustification(), compressive_strength_mpa=scene.asked.investigations)
+        shown = document_of(wall.evidence, "compressive_strength_mpa")
+        shown = shown or (document_of(scene.asked.evidence, "confidence_factor") if tested else None)
         end = Alternative(there, weakest)
-        yield single_alternative(
-            "compressive_strength_mpa", "lift_strength", reasons, f, end, given=f, f=weakest, cm=cm
-        )
+        yield single_alternative("compressive_strength_mpa", "lift_strength", shown, f, end, given=f, f=weakest, cm=cm)
 
 
 def _of_the_hinges(scene: CheckInput) -> Iterator[FavourableInput]:
@@ -270,10 +213,10 @@ def _of_the_hinges(scene: CheckInput) -> Iterator[FavourableInput]:
     there = require_value(replace(wall, compressive_strength_mpa=weakest).in_si.arch)
     end = Alternative(wall_change(compressive_strength_mpa=weakest), weakest)
     said = {"given": f, "f": weakest, "cm": 100.0 * there.setback}
-    yield single_alternative("compressive_strength_mpa", "lift_strength", wall.justification, f, end, **said)
+    yield single_alternative("compressive_strength_mpa", "lift_strength", wall.evidence, f, end, **said)
 
 
-def _setback_at(wall: Wall, masonry: str | None) -> float:
+def setback_at(wall: Wall, masonry: str | None) -> float:
     """Hinge setback [m] by the lowest f of a masonry and, where it is not given, its greatest unit weight, of the table
     where none is named; MIN_SETBACK at least."""
     weight = wall.unit_weight_kn_m3 or weights(masonry)[1]
@@ -287,7 +230,7 @@ def _setback_at(wall: Wall, masonry: str | None) -> float:
     return MIN_SETBACK
 
 
-def _turning_inside(given: Wall, setback: float, **values: Any) -> SceneChange:
+def turning_inside(given: Wall, setback: float, **values: Any) -> SceneChange:
     """The hinge at least so far inside the edge [m], whatever else has moved it. given : the wall as it is"""
 
     def change(scene: CheckInput) -> CheckInput:
@@ -313,27 +256,16 @@ def _hinge_at(wall: Wall, setback: float) -> dict[str, Any]:
     return {"radius_m": radius, "slenderness_deg": math.degrees(math.atan2(x, z)), "inertia_over_mass_m2": inertia}
 
 
-def _of_the_unit_weight(scene: CheckInput) -> Iterator[FavourableInput]:
-    """A unit weight that holds the wall against its loads, or is held by them, at the ends of what the type of masonry
-    has, of the table where none is named (Circolare 7/2019, Table C8.5.I)."""
-    wall, given = scene.wall, scene.wall.unit_weight_kn_m3
+def _of_unlike_weights(wall: Wall) -> Iterator[FavourableInput]:
+    """Solids of unlike weight: lighter outside, heavier inside, the weights alone move the centroid."""
+    given = wall.unit_weight_kn_m3
     own = [solid.unit_weight_kn_m3 for solid in wall.solid if solid.unit_weight_kn_m3 is not None]
-    solids = tuple(replace(solid, unit_weight_kn_m3=None) for solid in wall.solid)
-    if any(weight != given for weight in own):  # lighter outside, heavier inside: the weights alone move the centroid
+    if any(weight != given for weight in own):
         even = own[0] if given is None else given
+        solids = tuple(replace(solid, unit_weight_kn_m3=None) for solid in wall.solid)
         end = Alternative(wall_change(solid=solids, unit_weight_kn_m3=even), even)
         value = sentence("word", "of_solids")
-        yield single_alternative("unit_weight_kn_m3", "lift_solid_weight", wall.justification, value, end, even=even)
-    if given is None or not (wall.is_loaded or wall.kinematics.arches):
-        return
-    least, most = weights(wall.masonry)
-    values = [end for end in (least, most) if abs(end - given) > 1e-9]
-    ends = tuple(Alternative(wall_change(unit_weight_kn_m3=value, solid=solids), value) for value in values)
-    if not ends:
-        return
-    words = lowest_zeta_sentence("lift_unit_weight", ends)
-    permitted = least <= given <= most
-    yield FavourableInput("unit_weight_kn_m3", wall.justification, given, ends, words, permitted=permitted)
+        yield single_alternative("unit_weight_kn_m3", "lift_solid_weight", wall.evidence, value, end, even=even)
 
 
 def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
@@ -353,7 +285,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
                 for one, angle in turned
             ),
         )
-        yield FavourableInput("corner", wall.justification, GIVEN_WORD, ends, lowest_zeta_sentence("lift_corner", ends))
+        yield FavourableInput("lift_corner", "corner", wall.evidence, GIVEN_WORD, ends)
         return
     kept = [clipped(part, wall.thickness) for part in parts]
     if any(kept) and any(one is not part for one, part in zip(kept, parts, strict=True)):
@@ -362,7 +294,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
             replace(solid, polygon_m=one.polygon, from_m=one.ends[0], to_m=one.ends[1]) for solid, one in left if one
         )
         end = Alternative(wall_change(return_wedges=None, solid=solids), NONE_WORD)
-        yield single_alternative("return_wedges", "lift_return_wedges", wall.justification, GIVEN_WORD, end)
+        yield single_alternative("return_wedges", "lift_return_wedges", wall.evidence, GIVEN_WORD, end)
     top = require_value(wall.top)
     if (
         kinematics(mechanism).one_way
@@ -370,9 +302,7 @@ def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:
         and wall.height_m < MAX_RESTRAINT_SHARE * top
     ):
         end = Alternative(wall_change(height_m=top), top)
-        yield single_alternative(
-            "contact", "lift_contact", wall.justification, wall.height_m, end, h=wall.height_m, top=top
-        )
+        yield single_alternative("contact", "lift_contact", wall.evidence, wall.height_m, end, h=wall.height_m, top=top)
 
 
 def _of_the_body(scene: CheckInput) -> Iterator[FavourableInput]:
@@ -384,13 +314,14 @@ def _of_the_body(scene: CheckInput) -> Iterator[FavourableInput]:
         end = Alternative(
             wall_change(inertia_over_mass_m2=RECTANGLE_INERTIA * radius**2), RECTANGLE_INERTIA * radius**2
         )
-        yield single_alternative("inertia_over_mass_m2", "lift_inertia", None, given, end, given=given, least=end.value)
+        yield single_alternative(
+            "inertia_over_mass_m2", "lift_inertia", wall.evidence, given, end, given=given, least=end.value
+        )
     modulus, (least, most) = wall.elastic_modulus_mpa, moduli(wall.masonry)
-    if modulus is not None and wall.in_si.is_free(scene.mechanism) and modulus > least:
+    if modulus is not None and wall.in_si.is_free(scene.mechanism) and modulus > most:
         end = Alternative(wall_change(elastic_modulus_mpa=least), least)
         said = {"given": modulus, "least": least, "most": most}
-        permitted = modulus <= most
-        yield single_alternative("elastic_modulus_mpa", "lift_modulus", None, modulus, end, permitted=permitted, **said)
+        yield single_alternative("elastic_modulus_mpa", "lift_modulus", wall.evidence, modulus, end, **said)
 
 
 def _law_named(law: str | dict) -> str:

@@ -7,7 +7,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type=ImportError)
 
-from core.case.hold import Document
+from core.case.document import Document
 from core.case.set_aside import SetAside
 from tests.app.driving import type_into
 

@@ -10,6 +10,7 @@ from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED
 from core.study import run as study
+from tests.holds import shown
 from tests.validation.circolare import HELD, case, mechanism_of
 
 
@@ -102,7 +103,7 @@ def test_that_a_target_below_one_is_what_decides(tmp_path):
                 demand={
                     "ag_g": 0.25,
                     "zeta_target": 0.4,
-                    "justification": {"zeta_target": "works of 8.4.1 on one wall", "scatter": "one soil class"},
+                    "evidence": shown(zeta_target="works of 8.4.1 on one wall", scatter="one soil class"),
                 },
                 generate={"scatter": 0.0, "count": 7},
             ),

@@ -26,9 +26,6 @@ NTC_C = {
     "spectrum": {"code": "NTC2018", "f0": 2.364, "tc_star_s": 0.347, "soil": "C", "topography": "T1"},
 }
 
-BY_CLAUSES = {"histories": "clauses C8.7.1.2.1.1 to .8 alone"}
-"""Reason why a case is run without histories."""
-
 
 class Asked:
     """A case of one wall, and what the program finds by the clauses.
@@ -41,7 +38,7 @@ class Asked:
         self.table: dict[str, object] = {"title": "Ribalta", "wall": [wall], **sections}
         if demand is not None:
             self.table["analysis"] = {"histories": False}
-            self.table["demand"] = {**demand, "justification": BY_CLAUSES}
+            self.table["demand"] = dict(demand)
 
     @cached_property
     def case(self) -> Case:

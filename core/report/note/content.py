@@ -1,7 +1,9 @@
 """The calculation note of a result, part after part."""
 
+from collections.abc import Iterator
 from itertools import groupby
 
+from core.case.document import document_of
 from core.case.site import FULL_FACTOR
 from core.ground.provenance import provenance
 from core.known import require_value
@@ -165,6 +167,18 @@ def _demand(result: StudyResult, words: Words) -> list[Part]:
     return [*parts, Derivation(steps), Paragraph(_confidence(result, words), "quiet")]
 
 
+def _declared(result: StudyResult, words: Words) -> Iterator[str]:
+    """What the engineer shows by a document: of each wall, and of the demand."""
+    demand = result.case.demand
+    titles = dict.fromkeys(
+        (wall.part.asked.title, entry) for wall in result.walls for entry in wall.part.asked.evidence
+    )
+    for title, entry in titles:
+        yield f"{title}: {words.word(f'key_{entry.of}')}, {entry.words.text(words.language)}"
+    for given in demand.evidence if demand else ():
+        yield f"{words.word(f'key_{given.of}')}, {given.words.text(words.language)}"
+
+
 def _confidence(result: StudyResult, words: Words) -> str:
     """Why FC is what it is."""
     demand = require_value(result.case.demand)
@@ -173,8 +187,10 @@ def _confidence(result: StudyResult, words: Words) -> str:
         return words.say(
             "FC {fc}: knowledge level LC1, or the compressive strength is not counted on (C8.7.1.2.1).", fc=fc
         )
-    level, done = demand.knowledge_level or "", demand.investigations
-    return words.say("FC {fc}: knowledge level {level}, by {investigations}.", fc=fc, level=level, investigations=done)
+    shown = document_of(demand.evidence, "confidence_factor")
+    done = shown.words.text(words.language) if shown else ""
+    level = demand.knowledge_level or ""
+    return words.say("FC {fc}: knowledge level {level}, {investigations}.", fc=fc, level=level, investigations=done)
 
 
 def _verdicts(result: StudyResult, words: Words) -> list[Part]:
@@ -385,11 +401,12 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
     )
     for title, entry in aside:
         named = {"mechanism": localized("mechanism", entry.mechanism, words.language)}
-        named["document"] = entry.shown_by.text(words.language)
+        named["document"] = require_value(entry.evidence).words.text(words.language)
         low, high = (words.number(height, "g") for height in (entry.from_m or 0.0, entry.to_m))
         named["where"] = f"{low}–{high} m" if entry.to_m is not None else f"≥ {low} m"
         line = say("{wall}: {mechanism}, {where}, is set aside, {document}", wall=title, **named)
         ticks.append(Item(line, sign="☑"))
+    ticks += [Item(line, sign="☑") for line in _declared(result, words)]
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
         shared += [(say("demand"), warning.text(words.language)) for warning in result.demand_required.warnings]

@@ -18,7 +18,6 @@ from core.report.stated.quantity import (
     scaled_reader,
     text,
     texts,
-    untyped_quantity,
     whole,
 )
 from core.units import G
@@ -297,11 +296,6 @@ FLOOR = (
         "-",
         "least spectrum of the clause over that of the records",
         lambda wall: wall.assessment.code_over_records if wall.assessment else None,
-    ),
-    untyped_quantity(
-        "sensitivity",
-        "zeta_E by other models of the floor",
-        lambda wall: wall.assessment.sensitivity if wall.assessment else {},
     ),
 )
 """Quantities read from WallResult above the ground."""

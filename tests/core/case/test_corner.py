@@ -10,6 +10,8 @@ from core.errors import InputError
 from core.lab.solved.bodies import corner_of
 from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
+from tests.core.variation.one_evaluation import looked_at
+from tests.holds import shown
 
 WALL = {"name": "corner", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 2.0}
 WALL |= {"unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "hold": [{"kind": "contact"}]}
@@ -49,13 +51,12 @@ def test_that_cracks_half_as_long_are_a_row_and_turn_what_rests_on_them():
     for loads, reason in (([], None), ([hip], None), ([hip], "cracks surveyed, sheet 3")):
         length = round(2.4 * 0.5**0.5 + 0.6 * 0.5**0.5, 3) if not loads else 2.4 * 2.0**0.5
         wall = {**WALL, "corner": CORNER, "length_m": length} | ({"load": loads} if loads else {})
-        wall |= {"justification": {"corner": reason}} if reason else {}
+        wall |= {"evidence": shown(corner=reason)} if reason else {}
         table = {"wall": [wall | ({} if loads else {"unloaded_confirmed": True})]}
         table["demand"] = {"ag_g": 0.12, "spectrum": spectrum}
         result = run(clauses_alone(table), base_dir=Path())
-        verdict = result.walls[0].required_assessment.verdict
-        (row,) = [assumption for assumption in verdict.assumptions if assumption.key == "corner"]
-        assert row.zeta < verdict.zeta_e and row.reason == (reason or "")
+        verdict, row = result.walls[0].required_assessment.verdict, looked_at(result)["lift_corner"]
+        assert row.zeta < verdict.zeta_e and bool(row.reason) == bool(reason)
         assert all("ζ" in row.words.text(language) for language in ("en", "it"))
 
 

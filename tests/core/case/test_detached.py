@@ -11,6 +11,7 @@ from core.codes.kinematic_chain import sum_chain
 from core.errors import InputError
 from core.study.run import run
 from tests.clauses_alone import parse_case as clauses_alone
+from tests.holds import shown
 
 WALL = {"name": "facade", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "length_m": 8.0}
 WALL |= {"unit_weight_kn_m3": 19.0, "base_z_m": 0.0, "hold": [{"kind": "cross_walls", "evidence": {"kind": "opening"}}]}
@@ -72,8 +73,8 @@ def test_that_connectors_hold_no_less_the_stronger_they_are_and_strong_ones_are_
 
 
 def test_that_the_evidence_of_cross_walls_shows_no_leaf():
-    (leaf, *_), (shown, *_) = leaves_of(), leaves_of(justification={"leaf": "endoscopy, three holes"})
-    assert leaf.wall.held_by.evidence is None and shown.wall.held_by.evidence.kind == "opening"
+    (leaf, *_), (seen, *_) = leaves_of(), leaves_of(evidence=shown(leaf="endoscopy, three holes"))
+    assert leaf.wall.held_by.evidence is None and seen.wall.held_by.evidence.kind == "opening"
 
 
 @pytest.mark.parametrize(

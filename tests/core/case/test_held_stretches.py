@@ -289,16 +289,12 @@ def test_that_what_stands_above_the_highest_hold_is_moved_as_the_floor_there_is(
     assert held.part.wall.in_si.declared.beside == pytest.approx(ratio * plain.wall.in_si.declared.beside)
 
 
-def test_that_a_tie_is_shown_by_the_reasons_for_all_that_is_counted_of_it():
-    for reasons, shown in (
-        ({}, False),
-        ({"anchorage_kn": "plates, calculation 12"}, False),
-        ({"elongation_m": "steel of 2021, certificate 4"}, False),
-        ({"anchorage_kn": "plates, calculation 12", "elongation_m": "steel of 2021, certificate 4"}, True),
-    ):
-        keys = {"justification": reasons} if reasons else {}
-        stretches = find_held_stretches(wall_of([*behind(to_m=10.2), *TIED], **keys))
-        assert {stretch.wall.held_by.shows_strength for stretch in stretches} == {shown}
+def test_that_a_tie_is_shown_by_a_document_of_its_strength_alone():
+    for kind, is_shown in ((None, False), ("photograph", False), ("drawing", False), ("test", True)):
+        document = {} if kind is None else {"evidence": {"kind": kind, "reference": "P-4"}}
+        ties = [tie | document for tie in TIED]
+        stretches = find_held_stretches(wall_of([*behind(to_m=10.2), *ties]))
+        assert {stretch.wall.held_by.shows_strength for stretch in stretches} == {is_shown}
 
 
 def test_that_what_if_and_run_take_the_same_way():

@@ -5,8 +5,9 @@ import random
 
 import pytest
 
+from core.case.document import PRESENCE, STRENGTH
 from core.case.hinges import highest_hold, make_wall_parts
-from core.case.hold import HOLD_KINDS, PRESENCE, STRENGTH, hold_kind
+from core.case.hold import HOLD_KINDS, hold_kind
 from core.case.hold_rules import OLD_KEYS
 from core.case.rules import parse_case, parse_draft
 from core.case.schema import Case
@@ -224,11 +225,3 @@ def test_that_the_kinds_are_told_apart():
     assert all(kind.has_height for kind in HOLD_KINDS.values() if kind.pulls or kind.is_bar or kind.of_building)
     assert not {*PRESENCE} & {*STRENGTH}
     assert between(4.0, "test")[0]["evidence"]["kind"] in STRENGTH
-
-
-@pytest.mark.shows("verdict.empty_reason")
-@pytest.mark.parametrize("reason", ["boh", "xxx", "da definire", "to be defined", "vedi sopra", "asdf", "aaaa"])
-def test_that_a_reason_that_says_nothing_is_refused(reason):
-    with pytest.raises(InputError) as refused:
-        case_of(velocity_ratio=0.9, justification={"velocity_ratio": reason})
-    assert refused.value.code == "reason_says_nothing"

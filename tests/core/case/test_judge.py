@@ -18,6 +18,7 @@ from core.case.variant_names import DESIGNED
 from core.case.wall import Wall
 from core.case.writer import table_of
 from core.errors import InputError
+from tests.holds import shown
 
 
 def case_of(count: int) -> Case:
@@ -53,7 +54,11 @@ def edits(draw) -> list:
     of_demand = (
         {"confidence_factor": 1.2},
         {"confidence_factor": 1.35},
-        {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "three flat jacks in each front"},
+        {
+            "confidence_factor": 1.2,
+            "knowledge_level": "LC2",
+            "evidence": shown(confidence_factor="three flat jacks in each front"),
+        },
         {"ag_g": draw.choice((0.1, 0.3, ""))},
     )
     return [

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from core.case.document import DemandEvidence
 from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.problems import _with_sizes, _without, find_problems, load_of
@@ -72,7 +73,8 @@ def test_that_a_building_whose_height_is_empty_is_not_said_to_be_lower_than_a_wa
 def test_that_a_strength_still_to_be_given_is_one_problem_and_no_other_is_made_of_it():
     """The strength that is assumed to look further gives a setback that no wall has: nobody gave it."""
     wall = Wall("w", "two_sided", height_m=3.0, thickness_m=0.4, base_z_m=0.0, unit_weight_kn_m3=18.0)
-    demand = Demand(0.2, soil_factor=1.2, confidence_factor=1.2, knowledge_level="LC2", investigations="flat jacks")
+    of_tests = DemandEvidence("test", "flat jacks", of="confidence_factor")
+    demand = Demand(0.2, soil_factor=1.2, confidence_factor=1.2, knowledge_level="LC2", evidence=(of_tests,))
     for variant in (None, "progetto"):
         tall = replace(wall, variant=variant, unloaded_confirmed=True, height_m=8.0, thickness_m=0.3)
         found = find_problems(Case(wall=(tall,), demand=demand))

@@ -12,8 +12,14 @@ from core.case.solids import Solid
 from core.case.values import check_value, parse_corners
 from core.errors import InputError
 from tests.core.case.tables import WALL, case, without
+from tests.holds import shown
 
-TESTED = {"ag_g": 0.2, "confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "cores, double flat jacks"}
+TESTED = {
+    "ag_g": 0.2,
+    "confidence_factor": 1.2,
+    "knowledge_level": "LC2",
+    "evidence": shown(confidence_factor="cores, double flat jacks"),
+}
 CHOSEN = {"demand": {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}}
 SCALED = {"demand": {**CHOSEN["demand"], "demand_scaling": "pga"}}
 STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
@@ -95,19 +101,22 @@ STRENGTH = {"compressive_strength_mpa": 2.0, "unit_weight_kn_m3": 18.0}
         (case(demand={"ag_g": 0.0}), ["ag_g = 0.0", "from 0.001 to 5 g"]),
         (
             case(demand={"ag_g": 0.2, "confidence_factor": 1.2}),
-            ["confidence_factor", "knowledge_level", "investigations", "1.35"],
+            ["confidence_factor", "knowledge_level", "evidence", "1.35"],
         ),
-        (case({"hinge_setback_m": 0.000001}, demand={**TESTED, "investigations": "x"}), ["investigations"]),
+        (case(demand={"ag_g": 0.2, "investigations": "flat jacks"}), ["investigations", 'of = "confidence_factor"']),
         (case({"hinge_setback_m": 0.000001}, demand=TESTED), ["compressive_strength_mpa", "0.5 to 10"]),
         (case({**STRENGTH, "compressive_strength_mpa": 50.0}, demand=TESTED), ["0.5 to 10", "50"]),
         (case(STRENGTH, demand={**TESTED, "confidence_factor": 1.0}), ["LC2", "1.20"]),
         (case({"hold": [{"kind": "x."}]}), ["hold", "kind", "cross_walls"]),
         (case({"back_restraint": "cross_walls"}), ["back_restraint", "hold = [{ kind"]),
-        (case(STRENGTH, demand={**TESTED, "investigations": "none"}), ["investigations"]),
+        (case(STRENGTH, demand={key: TESTED[key] for key in TESTED if key != "evidence"}), ["evidence"]),
         (case(demand={"ag_g": 0.2, "soil_factor": 0.5}), ["soil_factor = 0.5", "from 0.9"]),
-        (case({"justification": {"restitution": "x."}}), ["restitution", "says nothing"]),
-        (case(demand={"ag_g": 0.2, "justification": {"q_code": "12"}}), ["[demand]", "q_code", "says nothing"]),
-        (case({"justification": {"thickness_m": "so"}}), ["thickness_m", "velocity_ratio"]),
+        (case({"evidence": shown(restitution=" ")}), ["restitution", "reference"]),
+        (case({"evidence": shown(law="a") * 2}), ["law", "two documents"]),
+        (case({"evidence": [{"of": "law", "kind": "photograph", "reference": "7"}]}), ["photograph", "law", "test"]),
+        (case(demand={"ag_g": 0.2, "justification": {"q_code": "12"}}), ["[demand]", 'of = "q_code"']),
+        (case({"justification": {"mass": "seen"}}), ["justification", 'of = "mass"', 'reference = "seen"']),
+        (case({"evidence": shown(thickness_m="so")}), ["thickness_m", "velocity_ratio"]),
         (case(demand={"ag_g": 0.2, "spectrum": {"code": "NTC2018", "soil": "B"}}), ["needs f0"]),
         (
             case(demand={"ag_g": 0.2, "spectrum": {"code": "EN1998", "soil": "B", "type": 1, "f0": 2.5}}),

@@ -120,13 +120,14 @@ def test_that_what_shows_the_cross_walls_does_not_show_the_tie():
     """A stretch that passes is no verification before the engineer says what shows its tie."""
     gentle = {"demand": {"ag_g": 0.05, "spectrum": DEMAND["spectrum"]}, "building": BUILDING}
     codes = {}
-    for reason in ({}, {"justification": {"anchorage_kn": "plates and masonry, calculation 12"}}):
-        table = {"wall": [carries({**ROOF, "d_m": 0.3}, TIE, **(FACADE | {"thickness_m": 0.6} | reason))], **gentle}
+    for document in ({}, {"evidence": {"kind": "calculation", "reference": "plates and masonry, 12"}}):
+        tie = TIE | document
+        table = {"wall": [carries({**ROOF, "d_m": 0.3}, tie, **(FACADE | {"thickness_m": 0.6}))], **gentle}
         walls = run(clauses_alone(table), base_dir=Path()).walls
         (stretch,) = (wall for wall in walls if wall.part.top is not None)
-        shown = stretch.wall.held_by.evidence
-        assert (shown.kind if shown else None) == ("drawing" if reason else None)
-        codes[bool(reason)] = stretch.assessment.verdict
+        found = stretch.wall.held_by.evidence
+        assert (found.kind if found else None) == ("calculation" if document else None)
+        codes[bool(document)] = stretch.assessment.verdict
     row = next(row for row in codes[False].assumptions if row.key == "hold")
     assert row.reason == "" and (codes[False].code == "indicative" or not row.turns)
 

@@ -8,7 +8,8 @@ import pytest
 from openpyxl import Workbook, load_workbook
 
 from core.case import wall_columns, wall_table
-from core.case.hold import Document, Hold
+from core.case.document import Document
+from core.case.hold import Hold
 from core.case.loads import Load, ReturnWalls
 from core.case.reader import read_case
 from core.case.solids import Opening, Step, Wedges
@@ -32,7 +33,7 @@ NESTED_OF_A_WALL = (
     "hold",
     "leaf",
     "plan",
-    "justification",
+    "evidence",
     "solid",
     "openings",
     "steps",

@@ -32,7 +32,7 @@ from core.study.run import run
 from core.units import G
 from tests.conftest import ROOT
 from tests.core.report import whole_workbook
-from tests.holds import at_top
+from tests.holds import at_top, shown
 from tests.validation.circolare import HELD, case
 
 
@@ -471,9 +471,9 @@ def test_that_the_reasons_of_the_engineer_are_printed():
         "thickness_m": 0.6,
         "mechanism": "one_sided",
         "base_z_m": 0.0,
-        "justification": {"free_element": "held by two floors"},
+        "evidence": shown(free_element="held by two floors"),
     }
-    demand = {"ag_g": 0.2, "soil_factor": 1.2, "justification": {"q_code": "tests on this masonry"}}
+    demand = {"ag_g": 0.2, "soil_factor": 1.2, "evidence": shown(q_code="tests on this masonry")}
     result = run(parse_case({"wall": [wall], "demand": demand}), base_dir=ROOT)
     for language in ("en", "it"):
         said = "\n".join(lines_of(result, result.walls[0], language))

@@ -1,12 +1,10 @@
 """What errors and verdicts advise never lifts zeta without saying what it takes."""
 
 import re
-from dataclasses import fields
 
 import pytest
 
-from core.case.site import DemandJustification
-from core.case.wall import WallJustification
+from core.case.asked import DEMAND, WALL, evidence_keys
 from core.text.catalogue import CATALOGUE
 from tests.conftest import ROOT
 
@@ -38,10 +36,7 @@ STATES = {
     "alone",
     "by_default",
     "elastic_branch",
-    "lift_histories",
     "lift_rigid",
-    "lift_count",
-    "lift_seed",
     "lift_scatter",
     "bending_finds_hinge",
     "bending_no_histories",
@@ -123,7 +118,6 @@ LOWERS = {
     "tie_elongation_below_yield",
     "ties_displacement",
     "ties_histories",
-    "lift_more",
 }
 """What they advise lowers zeta or leaves it: less is counted, the file decides, the spectrum does."""
 
@@ -135,13 +129,12 @@ CONDITION = {
     "strength_of_no_test": "whose alpha includes",
     "eq4_negative": "must come from tests",
     "loads_contradict": "if they do not exist",
-    "low_confidence_factor": "investigated",
+    "low_confidence_factor": "the document of the investigations",
     "corner_pushed_over": "if the wall that spans",
     "leaf_held": "model the leaf as a separate wall",
     "modes_or_period": "state their period",
     "no_check": "for an element free to vibrate",
     "restitution_one_sided": "is for",
-    "reason_says_nothing": "why its value holds",
     "strengthen": "check it again",
     "two_sided_loads_rigid": "assume a restraint behind",
     "tie_needs_rigid_law": "may overturn later",
@@ -185,7 +178,7 @@ def test_that_no_lower_fc_and_no_other_restitution_is_offered_for_nothing():
             assert not re.search(r"another restitution|leave that record|or generate them", english)
 
 
-REASONED = [entry.name for part in (WallJustification, DemandJustification) for entry in fields(part)]
+REASONED = [*evidence_keys(WALL), *evidence_keys(DEMAND)]
 
 
 @pytest.mark.parametrize("key", [*REASONED, "period_factor", "damping", "number", "knowledge_level"])
@@ -195,8 +188,8 @@ def test_that_help_says_what_a_key_that_lifts_zeta_does_to_the_verdict(key):
 
 def test_that_the_documents_name_every_reason_and_every_code_of_a_verdict():
     page = (ROOT / "resources" / "docs" / "case.md").read_text(encoding="utf-8")
-    written = page[page.index("[wall.justification]") :]
-    assert all(key in written for key in [*REASONED, "knowledge_level", "investigations"])
+    written = page[page.index("[[wall.evidence]]") :]
+    assert all(key in written for key in [*REASONED, "knowledge_level"])
     table = (ROOT / "resources" / "docs" / "verdict.md").read_text(encoding="utf-8")
     codes = set(CATALOGUE["verdict"]) - {"not_activated_floor", "not_activated_bending"}
     assert {code for code in codes if f"`{code}`" not in table} == set()

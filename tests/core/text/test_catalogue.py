@@ -9,7 +9,8 @@ from string import Formatter
 import pytest
 
 from core.case import wall_columns
-from core.case.hold import PRESENCE, STRENGTH
+from core.case.asked import DEMAND, WALL, evidence_keys
+from core.case.document import PRESENCE, STATED, STRENGTH
 from core.case.loads import Load
 from core.case.rules import parse_case
 from core.case.schema import Case, sections
@@ -47,7 +48,7 @@ WORDS = re.compile(r"[A-Za-z]{2,} [a-z]{2,} [a-z]{2,}")
 
 OF_NO_SENTENCE = {
     "app/terminal/command_line.py": "what argparse says, and the texts of the terminal for it",
-    "core/case/meaningful.py": "words that say nothing, in both languages",
+    "core/case/asked.py": "why no clause asks about an input, for who reads the table",
     "core/case/wall_columns.py": "heads of columns, in both languages",
     "core/case/case_files.py": "errors of what no program wrote",
     "core/case/variant_names.py": "the values of a key",
@@ -199,7 +200,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {key for keys in ENTRIES.values() for key in keys}
     sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")} | {f"tie_{name}" for name in FORCES}
     sides |= {f"client_{code}" for code in OUTCOMES} | {
-        f"evidence_{name}" for name in (*PRESENCE, *STRENGTH, "unstated")
+        f"evidence_{name}" for name in (*PRESENCE, *STRENGTH, *STATED, "unstated")
     }
     sides |= {f"source_{name}" for name in (GIVEN, DEFAULT, LEFT_OUT, DECLARED)}
     sides |= {f"part_{part}" for part in ("steel", "thread", "anchorage")}
@@ -282,8 +283,10 @@ def test_that_every_key_of_a_case_has_a_word():
 
 
 def test_that_the_catalogue_says_nothing_of_a_key_that_is_none():
-    """Of a key, its caption, tip, help, column, or one of its choices; the ends of a law are keys in a key."""
-    for code in set(CATALOGUE["key"]) - {"elastic_limit", "plateau_end"}:
+    """Of a key, its caption, tip, help, column, or one of its choices; the ends of a law are keys in a key, and what a
+    document shows has its word."""
+    shown = {f"{key}{end}" for key in (*evidence_keys(WALL), *evidence_keys(DEMAND)) for end in ("", ".help")}
+    for code in set(CATALOGUE["key"]) - {"elastic_limit", "plateau_end", "evidence.columns"} - shown:
         name, _, choice = code.partition("=")
         part, _, key = name.removesuffix(next((end for end in PARTS if name.endswith(end)), "")).rpartition(".")
         of_name = [keys[key] for section, keys in ENTRIES.items() if part in ("", section) and key in keys]

@@ -18,7 +18,7 @@ from core.errors import InputError
 from core.report import json_report
 from core.study.run import run
 from tests.conftest import ROOT
-from tests.holds import at_top, behind, between
+from tests.holds import at_top, behind, between, shown
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "C", "topography": "T1"}
 HAZARD = [
@@ -61,7 +61,11 @@ FILES = {
     "weak.txt": "0 0.05\n0.1 0.08\n0.3 0.08\n0.5 0.03\n1 0.02\n4 0.002\n",
     "narrow.txt": "0 0.12\n0.05 0.29\n0.1 0.29\n0.2 0.05\n1 0.01\n4 0.0006\n",
 }
-LC3 = {"demand.confidence_factor": 1.0, "demand.knowledge_level": "LC3", "demand.investigations": "three flat jacks"}
+LC3 = {
+    "demand.confidence_factor": 1.0,
+    "demand.knowledge_level": "LC3",
+    "demand.evidence": shown(confidence_factor="three flat jacks"),
+}
 LINEAR = {"demand.spectrum": DROP}
 EUROPEAN = {"code": "EN1998", "type": 2, "soil": "A"}
 WALL, LOAD, HOLD, SPECTRUM = "wall.0.", "wall.0.load.0.", "wall.0.hold.1.", "demand.spectrum."
@@ -77,9 +81,13 @@ def _ways():
     yield Way("records scaled to the PGA", "facade", {"demand.demand_scaling": "pga"}, "not_compatible")
     yield Way("SLC with the a_g of SLV", "facade", {"demand.limit_state": "SLC"}, "limit_state")
     for reason in ("boh", "da definire", "xxx"):
-        said = {"demand.confidence_factor": 1.0, "demand.knowledge_level": "LC3", "demand.investigations": reason}
+        said = {
+            "demand.confidence_factor": 1.0,
+            "demand.knowledge_level": "LC3",
+            "demand.evidence": shown(confidence_factor=reason),
+        }
         yield Way(f"LC3 by {reason}", "facade", said, "confidence_factor")
-        said = {"demand.zeta_target": 0.4, "demand.justification": {"zeta_target": reason}}
+        said = {"demand.zeta_target": 0.4, "demand.evidence": shown(zeta_target=reason)}
         yield Way(f"a target of 0.4 for {reason}", "facade", said, "zeta_target")
     yield Way("LC3 without the strength", "facade", LC3, "confidence_factor")
     strong = {WALL + "compressive_strength_mpa": 20.0}
@@ -94,7 +102,9 @@ def _ways():
     for key, value in {"f0": 2.0, "tc_star_s": 0.05}.items():
         yield Way(f"{key} = {value}", "facade", {SPECTRUM + key: value}, key)
     yield Way("EN 1998 type 2, no hazard", "facade", {"demand.spectrum": EUROPEAN}, "lift_type spectrum")
-    yield Way("EN 1998 type 2", "at a site", {"demand.spectrum": EUROPEAN}, "lift_spectrum")
+    # of the soil that is given: rock in place of soil C is the designer's statement, printed with the demand
+    soil_c = {"demand.spectrum": EUROPEAN | {"soil": "C"}}
+    yield Way("EN 1998 type 2", "at a site", soil_c, "lift_spectrum")
     weak = {"demand.spectrum": DROP, "demand.spectrum_file": "weak.txt"}
     yield Way("a spectrum that begins low, hazard known", "at a site", weak)
     yield Way("a spectrum that begins low", "facade", weak)
@@ -236,7 +246,7 @@ def _ways_past_a_row():
     yield Way("no evidence, a tie of 10 N and a lean of 1 mm", "facade", leans, "hold")
     wedges = {"number": 2, "thickness_m": 1.0, "length_at_top_m": 3.0}
     behind = unsaid | {WALL + "length_m": 5.0, WALL + "return_wedges": wedges}
-    behind |= {WALL + "justification": {"return_wedges": "survey 3"}}
+    behind |= {WALL + "evidence": shown(return_wedges="survey 3")}
     yield Way("no evidence, wedges behind", "facade", behind, "hold")
     halves = [
         {"plane": "section", "to_m": 5.0, "unit_weight_kn_m3": weight, "polygon_m": [[a, 0], [b, 0], [b, 5], [a, 5]]}
@@ -267,7 +277,8 @@ def _ways_past_a_row():
     yield Way("a hinge left out of those of the building", "facade", step | storeys, "hinges_as_asked")
     one = {"record": MOTIONS[:1]}
     yield Way("scatter 0.33 beside a record", "facade", one | {"generate": {"count": 14, "scatter": 0.33}}, "scatter")
-    yield Way("a seed beside a record", "facade", one | {"generate": {"seed": 6}}, "seed")
+    # a seed is not asked about: that motions are generated is said, and the interval of other samples is beside zeta
+    yield Way("a seed beside a record", "facade", one | {"generate": {"seed": 6}}, "generated_motions")
 
 
 WAYS = tuple(_ways())

@@ -8,6 +8,9 @@ import numpy as np
 from core.codes.dynamic_check import DynamicCheck
 from core.ground.ground_motion import GroundMotion
 from core.setting.plan import make_plan, read_inputs
+from core.variation.assumptions import look_at
+from core.variation.evaluate import evaluate
+from core.variation.favourable_wall_inputs import favourable_inputs
 from tests.clauses_alone import parse_case
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
@@ -42,3 +45,14 @@ def with_histories(scene, found, ground=(MOTION,), **changes):
         return found(model, motions, demand)
 
     return replace(scene, ground=ground, histories=stated, **changes)
+
+
+def looked_at(result, k=0):
+    """Code of an input that a clause asks about -> its row, whether it turns anything or not, of a wall that fails too;
+    the k-th result of a run."""
+    plan = make_plan(result.case, (result.demand, list(result.motions), list(result.kinds)))
+    wall = result.walls[k]
+    scene = replace(plan.scene(k, result.demand, result.compliance), q_slv=(wall.q_slv_safe_set, wall.q_slv_set))
+    evaluation = evaluate(scene)
+    looked = ((one.code, look_at(evaluation, one, True)) for one in favourable_inputs(evaluation))
+    return {code: found[0] for code, found in looked if found is not None}

@@ -5,7 +5,7 @@ import random
 from core.case.rules import parse_case
 from core.case.schema import Case
 from core.errors import InputError
-from tests.holds import carries
+from tests.holds import carries, shown
 
 HAZARD = [
     {"return_period_years": 30.0, "ag_g": 0.3, "f0": 2.40, "tc_star_s": 0.28},
@@ -80,7 +80,11 @@ def table_of(seed: int, histories: bool = False, hazard: bool = False) -> dict:
     if draw.random() < 0.2:
         demand["q_code"] = round(draw.uniform(1.5, 3.0), 1)
     if "compressive_strength_mpa" in wall and draw.random() < 0.6:
-        demand |= {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks"}
+        demand |= {
+            "confidence_factor": 1.2,
+            "knowledge_level": "LC2",
+            "evidence": shown(confidence_factor="flat jacks"),
+        }
     if draw.random() < 0.25:
         demand["zeta_target"] = round(draw.uniform(0.8, 1.0), 2)
     if hazard or draw.random() < 0.3:

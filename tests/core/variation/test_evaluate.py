@@ -178,20 +178,6 @@ def test_that_a_one_sided_wall_asks_for_each_record_with_both_signs(mechanism, p
     assert evaluate(scene_of(wall).replace_parts(polarity=polarity)).evidence.circumstances.both_signs == both
 
 
-def test_that_the_period_of_a_building_is_estimated_where_none_is_given():
-    building = {"height_m": 9.0, "storeys": 3}
-    wall, demand = WALL | {"base_z_m": 3.0}, {"ag_g": 0.03, "spectrum": NTC}
-    taken = evaluate(scene_of(wall, demand, building=building))
-    given = evaluate(scene_of(wall, demand, building=building | {"period_s": 0.26}))
-    assert taken.evidence.circumstances.period_estimated and taken.scene.period_taken
-    assert not given.evidence.circumstances.period_estimated
-    each = [
-        evaluate(scene_of(wall, demand, building=building | {"period_s": factor * 0.05 * 9.0**0.75})).zeta
-        for factor in (0.5, 1.0, 2.0)
-    ]
-    assert taken.zeta == pytest.approx(min(each))
-
-
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 0.0}
 PARAPET |= {"unit_weight_kn_m3": 18.0, "unloaded_confirmed": True}
 

@@ -1,13 +1,12 @@
 """What of the demand and of the building raises zeta: the rows that are asked about, and their other ends."""
 
-from dataclasses import replace
-
 import pytest
 
 from core.codes.kinematic import Check
 from core.units import G
 from core.variation.favourable_site import favourable_building, favourable_demand
 from tests.core.variation.one_evaluation import NTC, SOIL, WALL, scene_of
+from tests.holds import shown
 
 CHECK = Check("nonlinear", "C8.7.1.2.1.8", "m", 0.1, 0.1, 1.0, True)
 
@@ -24,7 +23,7 @@ def there(row, scene, k=0):
 
 
 def values(row, zetas):
-    return dict(row.words(zetas, CHECK).values)
+    return dict(row.phrase(zetas, CHECK).values)
 
 
 # what is required
@@ -48,9 +47,10 @@ def values(row, zetas):
 )
 def test_that_slc_is_founded_by_its_return_period_or_by_the_words_of_the_engineer(years, reasons, reason):
     """P_VR 5 % in 50 years: T_R 975."""
-    rows, scene = rows_of(SOIL | {"limit_state": "SLC", **years, "justification": reasons})
+    rows, scene = rows_of(SOIL | {"limit_state": "SLC", **years, **({"evidence": shown(**reasons)} if reasons else {})})
     row = rows["limit_state"]
-    assert (row.reason, row.value, there(row, scene).limit_state) == (reason, "SLC", "SLV")
+    reference = row.reason and dict(row.reason.values)["more"]
+    assert (reference, row.value, there(row, scene).limit_state) == (reason, "SLC", "SLV")
     assert "limit_state" not in rows_of(SOIL | {"limit_state": "SLD"})[0] and "limit_state" not in rows_of(SOIL)[0]
 
 
@@ -184,68 +184,20 @@ def buildings(row, scene):
     return [end.change(scene).building for end in row.ends]
 
 
-@pytest.mark.parametrize(
-    "height, storeys, many",
-    [(7.5, 3, None), (7.4, 3, 3), (15.0, 3, None), (15.1, 3, 7), (15.0, 2, 6), (4.0, 1, None), (9.9, 4, 4)],
-)
-def test_that_storeys_lower_than_2_5_or_higher_than_5_m_are_shown_as_many_as_there_may_be(height, storeys, many):
-    building = BUILDING | {"height_m": height, "storeys": storeys}
-    rows, scene = of_building(building)
-    assert ("storeys" in rows) == (many is not None)
-    if many:
-        assert rows["storeys"].ends[0].value == many and rows["storeys"].value == storeys
-        assert [one.storeys for one in buildings(rows["storeys"], scene)] == [many]
-        assert values(rows["storeys"], [0.8])["storey"] == pytest.approx(height / storeys)
-    by_modes = {key: value for key, value in building.items() if key != "period_s"} | {"modes": MODES}
-    assert "storeys" not in of_building(by_modes)[0]
-
-
-@pytest.mark.parametrize(
-    "over, ends",
-    [
-        (1.0, (0.5, 2.0)),
-        (1.009, (0.5, 2.0)),
-        (0.991, (0.5, 2.0)),
-        (1.011, (0.5, 1.0, 2.0)),
-        (2.0, (0.5, 1.0)),
-        (0.5, (1.0, 2.0)),
-        (3.0, (0.5, 1.0, 2.0)),
-    ],
-)
-def test_that_a_given_period_is_shown_with_the_estimated_one_its_half_and_its_double(over, ends):
-    """T = 0.05 H^0.75; those within a hundredth of the given one are it."""
-    given = over * ESTIMATED
-    rows, scene = of_building(BUILDING | {"period_s": given})
-    assert [end.value for end in rows["period_s"].ends] == pytest.approx([factor * ESTIMATED for factor in ends])
-    assert [one.period_s for one in buildings(rows["period_s"], scene)] == pytest.approx([e * ESTIMATED for e in ends])
-    modes = [{**MODES[0], "period_s": given}, {**MODES[1], "period_s": 0.4 * given}]
-    by_modes, scene = of_building({"height_m": 9.0, "storeys": 3, "modes": modes})
-    assert by_modes["period_s"].value == given
-    moved = [[mode.period_s / ESTIMATED for mode in one.modes] for one in buildings(by_modes["period_s"], scene)]
-    assert moved == [pytest.approx([end, 0.4 * end]) for end in ends]
-
-
-def test_that_a_period_that_is_not_given_has_no_row():
-    rows, scene = of_building({"height_m": 9.0, "storeys": 3})
-    assert "period_s" not in rows
-    taken = scene.replace_parts(period_taken=True, building=replace(scene.building, period_s=0.3))
-    assert "period_s" not in {row.key for row in favourable_building(taken, taken.building)}
-
-
 @pytest.mark.shows("lifts.building")
 @pytest.mark.parametrize(
-    "given, state, ends, source, permitted",
+    "given, state, ends, source",
     [
-        ({}, "SLV", [(2.0, 0.2)], "default", True),
-        ({"period_factor": 1.5, "damping": 0.1}, "SLV", [(2.0, 0.2)], "given", False),
-        ({"damping": 0.2}, "SLV", [(1.5, 0.1), (2.0, 0.2)], "given", False),
-        ({"period_factor": 2.0}, "SLV", [(1.5, 0.1), (2.0, 0.2)], "given", False),
-        ({"period_factor": 2.0, "damping": 0.2}, "SLV", [(1.5, 0.1)], "given", False),
-        ({"damping": 0.1}, "SLD", [(1.0, 0.05)], "given", False),
-        ({}, "SLD", [], "", None),
+        ({}, "SLV", [(1.5, 0.2), (2.0, 0.1), (2.0, 0.2)], "default"),
+        ({"period_factor": 1.5, "damping": 0.1}, "SLV", [(1.5, 0.2), (2.0, 0.1), (2.0, 0.2)], "given"),
+        ({"damping": 0.2}, "SLV", [(1.5, 0.1), (2.0, 0.1), (2.0, 0.2)], "given"),
+        ({"period_factor": 2.0}, "SLV", [(1.5, 0.1), (1.5, 0.2), (2.0, 0.2)], "given"),
+        ({"period_factor": 1.7, "damping": 0.12}, "SLV", [(1.5, 0.1), (1.5, 0.2), (2.0, 0.1), (2.0, 0.2)], "given"),
+        ({"damping": 0.1}, "SLD", [(1.0, 0.05)], "given"),
+        ({}, "SLD", [], ""),
     ],
 )
-def test_that_a_damaged_building_is_shown_at_the_ends_the_clause_allows(given, state, ends, source, permitted):
+def test_that_a_damaged_building_is_shown_at_the_corners_of_what_the_clause_allows(given, state, ends, source):
     """C8.7.1.2.1.4: 1.5 to 2 times the elastic period, 10 to 20 % of damping; elastic at SLD."""
     rows, scene = of_building(BUILDING | given, state=state)
     if not ends:
@@ -254,7 +206,7 @@ def test_that_a_damaged_building_is_shown_at_the_ends_the_clause_allows(given, s
     row = rows["building"]
     assert [(one.period_factor, one.damping) for one in buildings(row, scene)] == ends
     assert [tuple(dict(end.value.values).values()) for end in row.ends] == ends
-    assert (row.source, row.permitted) == (source, permitted)
+    assert (row.source, row.permitted) == (source, False)
     for k, (factor, damping) in enumerate(ends):
         zetas = [1.0] * len(ends)
         zetas[k] = 0.7
@@ -266,34 +218,9 @@ def test_that_a_damaged_building_is_shown_at_the_ends_the_clause_allows(given, s
 
 def test_that_the_modes_of_a_building_take_the_damping_of_the_ends():
     rows, scene = of_building({"height_m": 9.0, "storeys": 3, "modes": MODES})
-    (there,) = buildings(rows["building"], scene)
+    there = buildings(rows["building"], scene)[-1]
     assert [mode.damping for mode in there.modes] == [0.2, 0.2] and (there.period_factor, there.damping) == (2.0, None)
     assert [mode.period_s for mode in there.modes] == [0.26, 0.1] and rows["building"].source == "given"
-
-
-@pytest.mark.shows("lifts.centroid")
-@pytest.mark.parametrize(
-    "wall, z", [({}, 5.0), ({"base_z_m": 6.0}, 8.0), ({"base_z_m": 7.5}, 9.0), ({"base_z_m": 9.0}, None)]
-)
-def test_that_the_motion_of_a_wall_is_shown_at_its_centroid_too_within_the_building(wall, z):
-    rows, scene = of_building(BUILDING, HIGH | wall)
-    assert ("base_z_m" in rows) == (z is not None)
-    if z:
-        assert rows["base_z_m"].ends[0].change(scene).wall.base_z_m == pytest.approx(z)
-        assert rows["base_z_m"].ends[0].value == values(rows["base_z_m"], [0.8])["z"] == pytest.approx(z)
-        assert rows["base_z_m"].value == (HIGH | wall)["base_z_m"]
-    assert "base_z_m" not in of_building({"height_m": 9.0, "storeys": 3, "modes": MODES}, HIGH | wall)[0]
-
-
-def test_that_the_centroid_of_a_body_is_that_of_its_solids():
-    """A gable from 2 to 4 m on a wall of 4 m: (2 x 1 + 1 x (2 + 2/3)) / 3 m."""
-    gable = HIGH | {"length_m": 5.0, "gable_m": 2.0}
-    rows, _ = of_building(BUILDING, gable)
-    assert rows["base_z_m"].ends[0].value == pytest.approx(3.0 + (2.0 * 1.0 + 1.0 * (2.0 + 2.0 / 3.0)) / 3.0)
-    general = {key: value for key, value in HIGH.items() if key in ("name", "mechanism", "base_z_m", "hold")}
-    general |= {"radius_m": 2.0, "slenderness_deg": 5.0, "inertia_over_mass_m2": 16.0 / 3.0}
-    rows, _ = of_building(BUILDING, general)
-    assert rows["base_z_m"].ends[0].value == pytest.approx(3.0 + 2.0 * 0.996194698)  # R cos(5 deg)
 
 
 @pytest.mark.shows("lifts.participation")
@@ -320,4 +247,4 @@ def test_that_several_modes_are_shown_as_the_first_alone(share):
     rows, scene = of_building({"height_m": 9.0, "storeys": 3, "modes": modes})
     (there,) = buildings(rows["participation"], scene)
     assert [mode.participation for mode in there.modes] == pytest.approx([max(share, 3.0 / 7.0)])
-    assert rows["participation"].words([0.8], None).code == "lift_modes"
+    assert rows["participation"].phrase([0.8], None).code == "lift_modes"

@@ -17,7 +17,8 @@ from core.study.variants import compare_results
 from core.units import G
 from core.variation import evaluate
 from tests.clauses_alone import parse_case
-from tests.holds import at_top, behind
+from tests.core.variation.one_evaluation import looked_at
+from tests.holds import at_top, behind, shown
 from tests.validation.circolare import EN_B
 
 TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.15, "h_m": 3.0, "mass": "none"}
@@ -108,8 +109,9 @@ def test_that_a_top_nobody_names_gives_no_verification_however_strong_the_wall_i
 @pytest.mark.shows("held.restraint")
 def test_that_zeta_of_the_overturning_stands_beside_it():
     """The same wall, no longer held: it is that of a one-sided wall by the same checks."""
-    (wall,) = study(WALL).walls
-    (alone,) = study(WALL | {"mechanism": "one_sided", "hold": at_top(3.0), "hinge_heights": "base"}).walls
+    weak = {"demand": DEMAND | {"ag_g": 0.2}}
+    (wall,) = study(WALL, **weak).walls
+    (alone,) = study(WALL | {"mechanism": "one_sided", "hold": at_top(3.0), "hinge_heights": "base"}, **weak).walls
     assert wall.assessment.verdict.lower_bound == pytest.approx(alone.assessment.verdict.zeta_e, rel=1e-12)
     assert wall.assessment.verdict.lower_bound < wall.assessment.verdict.zeta_e and "top_fails" in codes(wall)
 
@@ -121,9 +123,7 @@ def test_that_loads_that_hold_less_inward_are_said_and_make_it_indicative():
     (wall,) = study(near, demand=DEMAND | {"ag_g": 0.45}).walls
     assert wall.assessment.checks[0].passed and "lift_bends_inward" in codes(wall)
     assert wall.assessment.verdict.code == "indicative"
-    (reasoned,) = study(
-        near | {"justification": {"load": "a cross wall stands behind"}, "hold": at_top(3.0, 60.0)}
-    ).walls
+    (reasoned,) = study(near | {"evidence": shown(load="a cross wall stands behind"), "hold": at_top(3.0, 60.0)}).walls
     assert reasoned.assessment.verdict.code != "indicative"
     (middle,) = study(WALL).walls
     assert "lift_bends_inward" not in codes(middle)
@@ -166,10 +166,9 @@ def test_that_without_a_demand_it_is_read_and_shown():
 
 
 def test_that_a_larger_period_of_the_building_and_fc_are_among_what_lifts_it():
-    known = {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks"}
-    (wall,) = study(WALL | {"compressive_strength_mpa": 2.0}, demand=DEMAND | known).walls
-    assert {"lift_confidence_factor", "other_building"} <= set(codes(wall))
-    assert "at_centroid" not in codes(wall)
+    known = {"confidence_factor": 1.2, "knowledge_level": "LC2", "evidence": shown(confidence_factor="flat jacks")}
+    result = study(WALL | {"compressive_strength_mpa": 2.0}, demand=DEMAND | known)
+    assert {"lift_confidence_factor", "other_building"} <= set(looked_at(result))
 
 
 def test_that_every_limit_state_has_its_zeta():
@@ -188,7 +187,7 @@ def test_that_a_wall_to_be_held_at_its_top_is_compared_with_the_wall_that_overtu
         "hinge_heights": "base",
         "variant": "stato di fatto",
     }
-    result = study(as_is, WALL | {"variant": "progetto"})
+    result = study(as_is, WALL | {"variant": "progetto"}, demand=DEMAND | {"ag_g": 0.2})
     (one,) = compare_results(result.walls)
     assert (one.before.mechanism, one.after.mechanism) == ("one_sided", "vertical_bending")
     assert one.after.assessment.verdict.lower_bound == pytest.approx(one.before.assessment.verdict.zeta_e)
@@ -222,26 +221,24 @@ def test_that_a_spectrum_too_short_for_the_overturning_leaves_the_wall_its_verdi
 def test_that_what_holds_the_top_is_a_strength_and_no_word():
     """Without a number a wall that passes is indicative; a hold is compared with what it takes at the demand."""
     small = {"demand": {"ag_g": 0.1, "spectrum": EN_B}}
-    shown = WALL | {"hold": at_top(3.0, 60.0, "test"), "unloaded_confirmed": False}
-    reasons = {"load": "as the survey of 2024 shows", "mass": "held by the kerb, sheet 4", "d_m": "seen in the opening"}
-    reasons |= {"unit_weight_kn_m3": "weighed cores, report 2"}
-    shown |= {"justification": reasons, "compressive_strength_mpa": None}
-    shown = {key: value for key, value in shown.items() if value is not None}
-    with_strength = study(shown, **small).walls[0].assessment.verdict
-    word = shown | {"hold": at_top(3.0, None, "test")}
+    table = WALL | {"hold": at_top(3.0, 60.0, "test"), "unloaded_confirmed": False}
+    table |= {"evidence": shown(load="survey of 2024", mass="sheet 4"), "compressive_strength_mpa": None}
+    table = {key: value for key, value in table.items() if value is not None}
+    with_strength = study(table, **small).walls[0].assessment.verdict
+    word = table | {"hold": at_top(3.0, None, "test")}
     without = study(word, **small).walls[0].assessment.verdict
     assert "no_hold_strength" not in [limit.code for limit in with_strength.limits]
     assert without.code == "indicative" and without.limits[0].code == "no_hold_strength"
     assert without.to_do[0].code == "to_no_hold_strength" and "out_kn_m" in without.to_do[0].text("en")
     assert with_strength.zeta_e == without.zeta_e  # the number changes what may be said, not what was counted
-    checks = {check.name: check for check in study(shown, **small).walls[0].assessment.checks}
+    checks = {check.name: check for check in study(table, **small).walls[0].assessment.checks}
     asked = checks["hold"].demand
     start = 1e-3 * bending(parse_case({"wall": [WALL]}).wall[0].in_si).top_force
     assert 0.0 < asked < 0.5 * start  # of a wall at rest, far less than as it starts to bend
-    enough = study(shown | {"hold": at_top(3.0, 1.02 * asked, "test")}, **small).walls[0].assessment
+    enough = study(table | {"hold": at_top(3.0, 1.02 * asked, "test")}, **small).walls[0].assessment
     assert enough.verdict.code == with_strength.code and enough.verdict.governing == "hold"
     assert enough.verdict.zeta_e == pytest.approx(1.02, abs=2e-3)
-    weak = study(shown | {"hold": at_top(3.0, 0.98 * asked, "test")}, **small).walls[0].assessment.verdict
+    weak = study(table | {"hold": at_top(3.0, 0.98 * asked, "test")}, **small).walls[0].assessment.verdict
     assert weak.code in ("not_verified", "q2_unsafe") and weak.zeta_e < 1.0 and weak.governing == "hold"
     assert "hold_top" in [limit.code for limit in weak.limits]
     leaning = study(WALL | {"mechanism": "one_sided"})  # held at its top, it bends below it all the same

@@ -27,6 +27,7 @@ from core.variation.swings import Sensitivity, Swing, SwingEnd, describe_swing_e
 from core.variation.wall_evaluation import make_wall_context
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
+from tests.holds import shown
 
 CASES = ROOT / "resources" / "cases"
 SPECTRUM = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
@@ -209,7 +210,11 @@ def test_that_the_building_is_moved_where_a_hinge_alone_is_above_the_ground():
 
 
 def test_that_a_tested_strength_is_moved_with_its_fc_and_its_steps_with_the_wall():
-    demand = {"confidence_factor": 1.2, "knowledge_level": "LC2", "investigations": "flat jacks on two walls"}
+    demand = {
+        "confidence_factor": 1.2,
+        "knowledge_level": "LC2",
+        "evidence": shown(confidence_factor="flat jacks on two walls"),
+    }
     wall = {**LOADED, "compressive_strength_mpa": 2.0}
     table = case_of(wall, demand={"ag_g": 0.05, **demand})
     found, result = sensitivity(table)

@@ -44,7 +44,7 @@ def case_at(case, scene):
     """The case of a scene: its wall about its base alone, its building, what of its demand a case states."""
     demand = replace(case.demand, q_code=scene.demand.q_code)
     if scene.demand.confidence_factor == FULL_FACTOR:
-        demand = replace(demand, confidence_factor=FULL_FACTOR, knowledge_level=None, investigations="")
+        demand = replace(demand, confidence_factor=FULL_FACTOR, knowledge_level=None, evidence=())
     demand = replace(demand, limit_state=scene.demand.limit_state, zeta_target=scene.demand.zeta_target)
     wall = replace(scene.wall.without_sought(), name="w", variant=None, mechanism=scene.mechanism)
     changes = {"wall": (replace(wall, hinge_heights="base"),), "demand": demand, "building": scene.building}
@@ -279,7 +279,7 @@ def check_monotone(table):
     for name, there in changed:
         weaker, stronger = before, made(there)
         if name == "FC":
-            full = replace(case.demand, confidence_factor=FULL_FACTOR, knowledge_level=None, investigations="")
+            full = replace(case.demand, confidence_factor=FULL_FACTOR, knowledge_level=None, evidence=())
             weaker, stronger = made(replace(case, demand=full)), before
         if weaker is None or stronger is None or len(weaker.walls) != len(stronger.walls):
             continue

@@ -1,0 +1,100 @@
+"""What a clause asks of an input that raises zeta, and what none asks: the one table of both.
+
+An input is known by the code of its sentence: a key of a case may stand for several.
+"""
+
+from typing import NamedTuple
+
+WALL, DEMAND, HOLD = "wall", "demand", "hold"
+"""Sections whose evidence shows the value of a key: [[wall.evidence]], [[demand.evidence]], evidence of the ties."""
+
+SEEN, MEASURED, STATED = "seen", "measured", "stated"
+"""What a document has to be: one that shows that a thing is there, one that shows a number, one that states what is
+asked of a wall."""
+
+
+class Asked(NamedTuple):
+    """A row of the table.
+
+    clause : that asks, of the Circolare 7/2019 where it begins with C
+    section : WALL, DEMAND or HOLD, whose evidence answers; "" of what a clause permits without any
+    keys : of the case, and `of` that evidence
+    shown_by : SEEN, MEASURED or STATED
+    """
+
+    clause: str
+    section: str
+    keys: tuple[str, ...]
+    shown_by: str = SEEN
+
+
+ASKED = {
+    "lift_velocity_ratio": Asked("C8.7.1.2.1.9", WALL, ("velocity_ratio", "restitution"), MEASURED),
+    "lift_law": Asked("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
+    "lift_rigid": Asked("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
+    "lift_free_element": Asked("C8.7.1.2.1.5", WALL, ("free_element",)),
+    "lift_one_sided_free": Asked("C8.7.1.2.1.5", WALL, ("free_element",)),
+    "lift_return_walls": Asked("C8.7.1.2.1.1", WALL, ("return_walls",)),
+    "lift_elongation": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_brittle": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_slack": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_anchorage": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_prestress": Asked("C8.7.1.2.1.1", HOLD, ("evidence",), MEASURED),
+    "lift_bends_inward": Asked("C8.7.1.2.1.1", WALL, ("load",)),
+    "lift_inward": Asked("C8.7.1.2.1.1", WALL, ("load",)),
+    "lift_carried": Asked("C8.7.1.2.1.1", WALL, ("load",)),
+    "lift_variable": Asked("NTC 2018 2.5.3", WALL, ("load",)),
+    "lift_low_load": Asked("C8.7.1.2.1.1", WALL, ("h_m",)),
+    "lift_mass": Asked("C8.7.1.2.1.1", WALL, ("mass",)),
+    "lift_corner": Asked("C8.7.1.2.1.1", WALL, ("corner",)),
+    "lift_return_wedges": Asked("C8.7.1.2.1.1", WALL, ("return_wedges",)),
+    "lift_contact": Asked("C8.7.1.2.1.1", WALL, ("contact",)),
+    "lift_inertia": Asked("C8.7.1.2.1.1", WALL, ("inertia_over_mass_m2",), MEASURED),
+    "lift_solid_weight": Asked("C8.5.3", WALL, ("unit_weight_kn_m3",), MEASURED),
+    "lift_edge": Asked("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
+    "lift_edge_of_body": Asked("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
+    "lift_strength": Asked("C8.5.3", WALL, ("compressive_strength_mpa",), MEASURED),
+    "lift_modulus": Asked("C8.5.3", WALL, ("elastic_modulus_mpa",), MEASURED),
+    "lift_confidence_factor": Asked("C8.5.4", DEMAND, ("confidence_factor",), MEASURED),
+    "lift_q_code": Asked("C8.7.1.2.1.7", DEMAND, ("q_code",), STATED),
+    "lift_limit_state": Asked("C8.3", DEMAND, ("limit_state",), STATED),
+    "lift_zeta_target": Asked("NTC 2018 8.4.2", DEMAND, ("zeta_target",), STATED),
+    "lift_soil_factor": Asked("NTC 2018 3.2.3.2", DEMAND, ("soil_factor",), MEASURED),
+    "lift_life": Asked("NTC 2018 2.4", DEMAND, ("nominal_life_years",), STATED),
+    "lift_outside_italy": Asked("NTC 2018 3.2", DEMAND, ("f0", "tc_star_s"), MEASURED),
+    "lift_spectrum": Asked("NTC 2018 3.2.3.2", DEMAND, ("spectrum",), STATED),
+    "lift_type": Asked("EN 1998-1 3.2.2.2", DEMAND, ("spectrum",), STATED),
+    "lift_scatter": Asked("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
+    "lift_alike": Asked("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
+    "other_building": Asked("C8.7.1.2.1.4", DEMAND, ("building",), MEASURED),
+    "lift_modes": Asked("C7.2.3", DEMAND, ("participation",), MEASURED),
+    "lift_participation": Asked("C7.2.3", DEMAND, ("participation",), MEASURED),
+}
+"""Code of an input that raises zeta -> what asks for it."""
+
+
+LEAF = Asked("C8.7.1.2.1.1", WALL, ("leaf",), MEASURED)
+"""What asks for a leaf and its connectors, which stand for themselves in a wall of its own."""
+
+
+def evidence_keys(section: str) -> tuple[str, ...]:
+    """Keys whose values the evidence of a section shows, in the order of the table."""
+    rows = (row for row in (*ASKED.values(), LEAF) if row.section == section)
+    return tuple(dict.fromkeys(key for row in rows for key in row.keys))
+
+
+def shown_by(section: str, key: str) -> str:
+    """What the document of a key has to be."""
+    return next(row.shown_by for row in (*ASKED.values(), LEAF) if row.section == section and key in row.keys)
+
+
+NOT_ASKED = {
+    "lift_period": "a period by the formula of NTC 2018 7.3.3.2, or one that is given, is what the clause takes",
+    "at_centroid": "C8.7.1.2.1.5 takes the demand at the line about which the body turns",
+    "lift_storeys": "C7.2.3 counts them, and a building has those it has",
+    "lift_lever": "where a floor bears is drawn; 5 % of the thickness is how well one knows it",
+    "lift_unit_weight": "it is measured, or is that of the type of masonry of Table C8.5.I",
+    "modulus_within_table": "Table C8.5.I gives the moduli of the type, all of them means",
+    "lift_masonry": "the engineer names the type of masonry; its weakest is asked about by the hinge",
+}
+"""Code of an input -> why no clause asks for it: it moves zeta, and never holds an outcome back."""
