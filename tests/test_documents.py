@@ -87,7 +87,6 @@ def test_that_the_numbers_of_the_first_trial_come_out(first_trial, name):
         facade.q_set,
         facade.q_robust_set,
         gable.q_set,
-        facade.assessment.verdict.lower_bound,
     ]
     for number in numbers:
         said = f"{number:.2f}"

@@ -8,12 +8,12 @@ from app.look.language import current_language, tr
 from app.work.draft import TO_BE_GIVEN
 from app.work.session import Session
 from core.case.asked import DEMAND, WALL, evidence_keys
-from core.case.document import DemandEvidence, Evidence, WallEvidence
+from core.case.document import AnyEvidence, DemandEvidence, WallEvidence
 from core.case.site import Demand
 from core.text.sentence import capital, choice
 
 
-def evidence_words(entry: Evidence) -> str:
+def evidence_words(entry: AnyEvidence) -> str:
     """A document in the list: of what, and its reference."""
     named = capital(choice(entry.of, current_language())) if entry.of else "–"
     return ", ".join(filter(None, (named, entry.reference)))
@@ -23,7 +23,7 @@ class EvidenceForm(EntriesForm):
     """Edits the documents of the wall at `index()`."""
 
     keys: tuple[str, ...] = evidence_keys(WALL)
-    made: type[Evidence] = WallEvidence
+    kind: type[AnyEvidence] = WallEvidence
 
     def __init__(self, session: Session, index: Callable[[], int]):
         super().__init__(session, index, "evidence", {}, evidence_words, first=("of",))
@@ -38,7 +38,7 @@ class EvidenceForm(EntriesForm):
         """The first field of the document of a key, to be given where there is none."""
         row = next((k for k, entry in enumerate(self.entries) if entry.of == key), None)
         if row is None:
-            self.append(self.made(TO_BE_GIVEN, of=key))
+            self.append(self.kind(TO_BE_GIVEN, of=key))
         else:
             self.list.setCurrentRow(row)
         return next(field for field in self.fields if field.key == "kind")
@@ -48,7 +48,7 @@ class DemandEvidenceForm(EvidenceForm):
     """Edits the documents of the demand and of the building."""
 
     keys = evidence_keys(DEMAND)
-    made = DemandEvidence
+    kind = DemandEvidence
     owner = Demand
 
     def __init__(self, session: Session):

@@ -4,7 +4,7 @@ import html
 
 from app.look import theme
 from app.look.language import tr
-from core.case.asked import ASKED
+from core.case.asked import ASKED, HOLD
 from core.known import require_value
 from core.report.assumption_table import heads, rows_of
 from core.report.verdict_words import lines_of, tone_of
@@ -18,7 +18,8 @@ def verdict_color(result: StudyResult, wall: WallResult) -> str:
 
 
 PLACE_OF_CODE = {
-    "strengthen": "variant",
+    **dict.fromkeys(("measure_tie", "measure_ties", "measure_hold", "measure_thrust"), "variant"),
+    **dict.fromkeys(("measure_height", "measure_thickness", "no_measure"), "variant"),
     "to_no_check": "demand",
     "to_no_restraint": "holds",
     "to_no_top_restraint": "holds",
@@ -50,9 +51,10 @@ def _target(one: Sentence) -> str | None:
     """Where a sentence leads."""
     if one.code == "give_reason":
         return f"reason:{dict(one.values)['key']}"
-    if one.code in ASKED and ASKED[one.code].section and one.code not in PLACE_OF_CODE:
-        return f"reason:{ASKED[one.code].keys[0]}"
-    return PLACE_OF_CODE.get(one.code)
+    if one.code in PLACE_OF_CODE or one.code not in ASKED:
+        return PLACE_OF_CODE.get(one.code)
+    row = ASKED[one.code]
+    return "holds" if row.section == HOLD else f"reason:{row.keys[0]}"
 
 
 def _linked(words: list[str], sentences: tuple[Sentence, ...], kind: str, language: str) -> list[str]:

@@ -13,7 +13,7 @@ SEEN, MEASURED, STATED = "seen", "measured", "stated"
 asked of a wall."""
 
 
-class Asked(NamedTuple):
+class AskedInput(NamedTuple):
     """A row of the table.
 
     clause : that asks, of the Circolare 7/2019 where it begins with C
@@ -29,63 +29,63 @@ class Asked(NamedTuple):
 
 
 ASKED = {
-    "lift_velocity_ratio": Asked("C8.7.1.2.1.9", WALL, ("velocity_ratio", "restitution"), MEASURED),
-    "lift_law": Asked("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
-    "lift_rigid": Asked("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
-    "lift_free_element": Asked("C8.7.1.2.1.5", WALL, ("free_element",)),
-    "lift_one_sided_free": Asked("C8.7.1.2.1.5", WALL, ("free_element",)),
-    "lift_return_walls": Asked("C8.7.1.2.1.1", WALL, ("return_walls",)),
-    "lift_elongation": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
-    "lift_brittle": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
-    "lift_slack": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
-    "lift_anchorage": Asked("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
-    "lift_prestress": Asked("C8.7.1.2.1.1", HOLD, ("evidence",), MEASURED),
-    "lift_bends_inward": Asked("C8.7.1.2.1.1", WALL, ("load",)),
-    "lift_inward": Asked("C8.7.1.2.1.1", WALL, ("load",)),
-    "lift_carried": Asked("C8.7.1.2.1.1", WALL, ("load",)),
-    "lift_variable": Asked("NTC 2018 2.5.3", WALL, ("load",)),
-    "lift_low_load": Asked("C8.7.1.2.1.1", WALL, ("h_m",)),
-    "lift_mass": Asked("C8.7.1.2.1.1", WALL, ("mass",)),
-    "lift_corner": Asked("C8.7.1.2.1.1", WALL, ("corner",)),
-    "lift_return_wedges": Asked("C8.7.1.2.1.1", WALL, ("return_wedges",)),
-    "lift_contact": Asked("C8.7.1.2.1.1", WALL, ("contact",)),
-    "lift_inertia": Asked("C8.7.1.2.1.1", WALL, ("inertia_over_mass_m2",), MEASURED),
-    "lift_solid_weight": Asked("C8.5.3", WALL, ("unit_weight_kn_m3",), MEASURED),
-    "lift_edge": Asked("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
-    "lift_edge_of_body": Asked("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
-    "lift_strength": Asked("C8.5.3", WALL, ("compressive_strength_mpa",), MEASURED),
-    "lift_modulus": Asked("C8.5.3", WALL, ("elastic_modulus_mpa",), MEASURED),
-    "lift_confidence_factor": Asked("C8.5.4", DEMAND, ("confidence_factor",), MEASURED),
-    "lift_q_code": Asked("C8.7.1.2.1.7", DEMAND, ("q_code",), STATED),
-    "lift_limit_state": Asked("C8.3", DEMAND, ("limit_state",), STATED),
-    "lift_zeta_target": Asked("NTC 2018 8.4.2", DEMAND, ("zeta_target",), STATED),
-    "lift_soil_factor": Asked("NTC 2018 3.2.3.2", DEMAND, ("soil_factor",), MEASURED),
-    "lift_life": Asked("NTC 2018 2.4", DEMAND, ("nominal_life_years",), STATED),
-    "lift_outside_italy": Asked("NTC 2018 3.2", DEMAND, ("f0", "tc_star_s"), MEASURED),
-    "lift_spectrum": Asked("NTC 2018 3.2.3.2", DEMAND, ("spectrum",), STATED),
-    "lift_type": Asked("EN 1998-1 3.2.2.2", DEMAND, ("spectrum",), STATED),
-    "lift_scatter": Asked("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
-    "lift_alike": Asked("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
-    "other_building": Asked("C8.7.1.2.1.4", DEMAND, ("building",), MEASURED),
-    "lift_modes": Asked("C7.2.3", DEMAND, ("participation",), MEASURED),
-    "lift_participation": Asked("C7.2.3", DEMAND, ("participation",), MEASURED),
+    "lift_velocity_ratio": AskedInput("C8.7.1.2.1.9", WALL, ("velocity_ratio", "restitution"), MEASURED),
+    "lift_law": AskedInput("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
+    "lift_rigid": AskedInput("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
+    "lift_free_element": AskedInput("C8.7.1.2.1.5", WALL, ("free_element",)),
+    "lift_one_sided_free": AskedInput("C8.7.1.2.1.5", WALL, ("free_element",)),
+    "lift_return_walls": AskedInput("C8.7.1.2.1.1", WALL, ("return_walls",)),
+    "lift_elongation": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_brittle": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_slack": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_anchorage": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
+    "lift_prestress": AskedInput("C8.7.1.2.1.1", HOLD, ("evidence",), MEASURED),
+    "lift_bends_inward": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
+    "lift_inward": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
+    "lift_carried": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
+    "lift_variable": AskedInput("NTC 2018 2.5.3", WALL, ("load",)),
+    "lift_low_load": AskedInput("C8.7.1.2.1.1", WALL, ("h_m",)),
+    "lift_mass": AskedInput("C8.7.1.2.1.1", WALL, ("mass",)),
+    "lift_corner": AskedInput("C8.7.1.2.1.1", WALL, ("corner",)),
+    "lift_return_wedges": AskedInput("C8.7.1.2.1.1", WALL, ("return_wedges",)),
+    "lift_contact": AskedInput("C8.7.1.2.1.1", WALL, ("contact",)),
+    "lift_inertia": AskedInput("C8.7.1.2.1.1", WALL, ("inertia_over_mass_m2",), MEASURED),
+    "lift_solid_weight": AskedInput("C8.5.3", WALL, ("unit_weight_kn_m3",), MEASURED),
+    "lift_edge": AskedInput("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
+    "lift_edge_of_body": AskedInput("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
+    "lift_strength": AskedInput("C8.5.3", WALL, ("compressive_strength_mpa",), MEASURED),
+    "lift_modulus": AskedInput("C8.5.3", WALL, ("elastic_modulus_mpa",), MEASURED),
+    "lift_confidence_factor": AskedInput("C8.5.4", DEMAND, ("confidence_factor",), MEASURED),
+    "lift_q_code": AskedInput("C8.7.1.2.1.7", DEMAND, ("q_code",), STATED),
+    "lift_limit_state": AskedInput("C8.3", DEMAND, ("limit_state",), STATED),
+    "lift_zeta_target": AskedInput("NTC 2018 8.4.2", DEMAND, ("zeta_target",), STATED),
+    "lift_soil_factor": AskedInput("NTC 2018 3.2.3.2", DEMAND, ("soil_factor",), MEASURED),
+    "lift_life": AskedInput("NTC 2018 2.4", DEMAND, ("nominal_life_years",), STATED),
+    "lift_outside_italy": AskedInput("NTC 2018 3.2", DEMAND, ("f0", "tc_star_s"), MEASURED),
+    "lift_spectrum": AskedInput("NTC 2018 3.2.3.2", DEMAND, ("spectrum",), STATED),
+    "lift_type": AskedInput("EN 1998-1 3.2.2.2", DEMAND, ("spectrum",), STATED),
+    "lift_scatter": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
+    "lift_alike": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
+    "other_building": AskedInput("C8.7.1.2.1.4", DEMAND, ("building",), MEASURED),
+    "lift_modes": AskedInput("C7.2.3", DEMAND, ("participation",), MEASURED),
+    "lift_participation": AskedInput("C7.2.3", DEMAND, ("participation",), MEASURED),
 }
 """Code of an input that raises zeta -> what asks for it."""
 
 
-LEAF = Asked("C8.7.1.2.1.1", WALL, ("leaf",), MEASURED)
+OF_LEAF = AskedInput("C8.7.1.2.1.1", WALL, ("leaf",), MEASURED)
 """What asks for a leaf and its connectors, which stand for themselves in a wall of its own."""
 
 
 def evidence_keys(section: str) -> tuple[str, ...]:
     """Keys whose values the evidence of a section shows, in the order of the table."""
-    rows = (row for row in (*ASKED.values(), LEAF) if row.section == section)
+    rows = (row for row in (*ASKED.values(), OF_LEAF) if row.section == section)
     return tuple(dict.fromkeys(key for row in rows for key in row.keys))
 
 
 def shown_by(section: str, key: str) -> str:
     """What the document of a key has to be."""
-    return next(row.shown_by for row in (*ASKED.values(), LEAF) if row.section == section and key in row.keys)
+    return next(row.shown_by for row in (*ASKED.values(), OF_LEAF) if row.section == section and key in row.keys)
 
 
 NOT_ASKED = {

@@ -16,7 +16,7 @@ STATED = "study", "act"
 """Kinds of documents that show that a thing is there, those that show what it stands too, and those that state what is
 asked: a study or a publication, an act of the client or of an authority."""
 
-KINDS = {
+KINDS_THAT_SHOW = {
     asked.SEEN: (*PRESENCE, *STRENGTH, "study"),
     asked.MEASURED: (*STRENGTH, "study"),
     asked.STATED: (*STRENGTH[:2], *STATED),
@@ -59,7 +59,7 @@ class WallEvidence(Document):
     @property
     def kinds(self) -> tuple[str, ...]:
         """Kinds of documents that can show its value."""
-        return KINDS[asked.shown_by(WALL, self.of)]
+        return KINDS_THAT_SHOW[asked.shown_by(WALL, self.of)]
 
 
 @dataclass(frozen=True)
@@ -72,25 +72,25 @@ class DemandEvidence(Document):
     @property
     def kinds(self) -> tuple[str, ...]:
         """Kinds of documents that can show its value."""
-        return KINDS[asked.shown_by(DEMAND, self.of)]
+        return KINDS_THAT_SHOW[asked.shown_by(DEMAND, self.of)]
 
 
-Evidence = WallEvidence | DemandEvidence
+AnyEvidence = WallEvidence | DemandEvidence
 
 
-def document_of(evidence: Iterable[Evidence], key: str) -> Document | None:
+def document_of(evidence: Iterable[AnyEvidence], key: str) -> Document | None:
     """The document that shows the value of a key, None where none is given."""
     return next((entry for entry in evidence if entry.of == key), None)
 
 
-def check_evidence(evidence: Iterable[Evidence], here) -> None:
+def check_evidence(evidence: Iterable[AnyEvidence], here) -> None:
     """Raise InputError for a document without a reference, of a kind that cannot show its value, or beside another one
     for the same key. here : place of the section that has them"""
-    seen: set[str] = set()
+    keys: set[str] = set()
     for entry in evidence:
-        if entry.of in seen:
+        if entry.of in keys:
             raise InputError("evidence_twice", place=here, key="of", name=entry.of)
-        seen.add(entry.of)
+        keys.add(entry.of)
         if entry.kind not in entry.kinds:
             raise InputError(
                 "evidence_kind", place=here, key="kind", found=entry.kind, name=entry.of, kinds=entry.kinds

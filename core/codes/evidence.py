@@ -124,10 +124,10 @@ def optional_remarks(seen: Evidence, code: str) -> list[Sentence]:
     notes = _weaker(seen, code, False)
     if seen.kinematic and seen.kinematic.chain.friction_height is not None:
         notes.append(reason("friction_hinge", height=seen.kinematic.chain.friction_height))
-    alpha = 0.0 if seen.wall.arch else math.degrees(seen.wall.block.slenderness)
+    wall, compliance = seen.wall, seen.compliance
+    alpha = 0.0 if wall.arch else math.degrees(wall.block.slenderness)
     if alpha > STOCKY_DEG:
         notes.append(reason("stocky", alpha=alpha))
-    compliance = seen.compliance
     if seen.dynamic and compliance and code != "not_activated":
         if compliance.unnamed:
             notes.append(reason("no_station", n=compliance.unnamed))

@@ -232,8 +232,6 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
             actions.append(reason("justify"))
     elif code == "verified_refined":
         actions.append(reason("justify"))
-    elif code in ("not_verified", "q2_unsafe", "at_limit"):
-        actions.append(reason("strengthen", variant=Key("variant=progetto")))
     return actions
 
 

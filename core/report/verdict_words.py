@@ -2,7 +2,7 @@
 
 import functools
 
-from core.case.document import Evidence
+from core.case.document import AnyEvidence
 from core.codes.outcomes import OUTCOMES
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import hinge_location, sort_by_severity
@@ -66,7 +66,7 @@ def lines_of(
     if "reason" not in kinds:
         return lines
     demand = result.case.demand
-    given: tuple[Evidence, ...] = (*wall.wall.evidence, *(demand.evidence if demand else ()))
+    given: tuple[AnyEvidence, ...] = (*wall.wall.evidence, *(demand.evidence if demand else ()))
     for entry in given:
         key, shown = word(f"key_{entry.of}", language), entry.words.text(language)
         lines.append(f"{word('reason_given', language)}, {key}: {shown}")

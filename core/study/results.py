@@ -30,6 +30,7 @@ from core.setting.record_selection import Selection
 from core.text.sentence import Sentence
 from core.units import G
 from core.variation.assessment import Assessment
+from core.variation.measures import Measure
 from core.variation.swings import Sensitivity
 from core.wall.block import Block
 from core.wall.impact import Restitution
@@ -197,6 +198,7 @@ class WallVerdict:
     interval : of zeta_E for other samples of records, None where none can be said
     rates : how often limit states of the hinge that collapses most often are exceeded, empty without the hazard
     sensitivity : None where it is not asked for
+    measures : that make a wall that fails pass, a few; None of one that does not fail, or where none were sought
     """
 
     wall: Wall
@@ -209,6 +211,7 @@ class WallVerdict:
     interval: SampleInterval | None = None
     rates: tuple[StateRate, ...] = ()
     sensitivity: Sensitivity | None = None
+    measures: tuple[Measure, ...] | None = None
 
     @property
     def title(self) -> str:

@@ -73,7 +73,8 @@ def run(
     start_compilation(plan)
     finished = journal(journal_key()) if journal else MemoryJournal(UNLIMITED) if executor else None
     progress, threads = Progress(task_costs(plan), on_progress), Threads(jobs, cancelled)
-    how = (on_wall, on_finished, selection, share is None)
+    alone = share is None
+    how = (on_wall, on_finished, selection, alone, alone and len(case.wall) <= MAX_WALLS_WITH_MEASURES)
     if executor is None or finished is None:
         result = run_plan(plan, base_dir, threads, started, finished, progress, *how)
         return replace(result, analyses=MADE.total - made_before)
@@ -96,6 +97,7 @@ def run_plan(
     on_finished: Callable[[StudyResult], None] = lambda wall: None,
     selection: Selection | None = None,
     whole: bool = True,
+    measures: bool = False,
     wait_for: Callable[[int], None] | None = None,
 ) -> StudyResult:
     """Result of a plan.
@@ -108,6 +110,7 @@ def run_plan(
     journal : of finished searches and checks
     selection : of [select]
     whole : all walls of the case are in it, so that they have verdicts
+    measures : what would make a wall that fails pass is sought
     wait_for : returns once what was found elsewhere of a wall, by its number in the case, is in the journal
     Raises as `run` does.
     """
@@ -141,7 +144,9 @@ def run_plan(
         rated = demand is not None and demand.hazard and plan.longest is None
         ag = make_ag_function(demand, plan.case.demand, base_dir) if demand and rated else None
         state_rules = limit_state_compliance(plan, demand, by_state) if demand else {}
-        given = StudyContext(plan, base_dir, demand, rules, by_state, state_rules, ag, journal, progress, on_wall)
+        given = StudyContext(
+            plan, base_dir, demand, rules, by_state, state_rules, ag, journal, progress, on_wall, measures
+        )
         threads.run_works(wall_tasks(given, threads.jobs, wait_for), ended)
     finally:
         cache.record(cache.folder())
@@ -156,6 +161,9 @@ def _demand(plan: Plan, base_dir: Path) -> tuple[SeismicDemand | None, dict[str,
     of_place = site_notices(plan.case.site, demand.limit_state) if plan.case.site else []
     return replace(demand, warnings=(*demand.warnings, *unused_hazard_notices(demand, by_state), *of_place)), by_state
 
+
+MAX_WALLS_WITH_MEASURES = 50
+"""Walls of a case up to which what would make one that fails pass is sought: some seconds a wall."""
 
 UNLIMITED = sys.maxsize
 """Room of a Memory that forgets nothing."""

@@ -1,5 +1,5 @@
-"""How sure a verdict is: what another sample of records would give, how often its limit states are exceeded, and what
-each input does to zeta. Beside the verdict, never part of it."""
+"""How sure a verdict is: what another sample of records would give, how often its limit states are exceeded, what each
+input does to zeta; and what would make a wall that fails pass. Beside the verdict, never part of it."""
 
 import functools
 import math
@@ -14,7 +14,7 @@ from core.case.site import Demand
 from core.codes.collapse_rate import RATE_STATES, StateRate, state_rate, typical_rate
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
-from core.codes.outcomes import min_if_all_known
+from core.codes.outcomes import FAILS, OUTCOMES, min_if_all_known
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
 from core.ground.provenance import MIN_STATIONS, station_of
 from core.setting.demand_input import rescaled_pga
@@ -26,6 +26,7 @@ from core.study.results import WallResult, WallVerdict
 from core.text.sentence import sentence
 from core.threads import Batch, Work
 from core.variation.inverse_design import design_keys, find_target_value
+from core.variation.measures import find_measures
 from core.variation.sensitivity import evaluate_move, leave_one_out_moves, list_input_moves, summarise_sensitivity
 from core.variation.swings import Sensitivity, describe_swing_end
 from core.variation.wall_evaluation import make_wall_context
@@ -60,6 +61,20 @@ def add_uncertainty(
     if plan.case.sensitivity is not None:
         verdict = yield from _with_sensitivity(plan, base_dir, demand, results, verdict, journal, progress)
     return verdict
+
+
+def add_measures(
+    plan: Plan, base_dir: Path, demand: SeismicDemand, results: Sequence[WallResult], verdict: WallVerdict, journal
+) -> Work:
+    """The work whose result is the verdict of a wall, of one that fails with what would make it pass; the parameters
+    are those of `add_uncertainty`."""
+    worst = results[verdict.governing]
+    if OUTCOMES[worst.required_assessment.verdict.code].judgement != FAILS:
+        return verdict
+    kept = CheckCache(journal) if journal else run_dynamic_check
+    setting = make_wall_context(plan.case, worst.part.origin, base_dir, (demand, plan.motions, plan.kinds), kept)
+    found = yield Batch({"measures": functools.partial(find_measures, setting)})
+    return replace(verdict, measures=found["measures"])
 
 
 def _with_interval(

@@ -18,12 +18,14 @@ from core.study.journal import Journal, MemoryJournal, dataclass_from_json
 from core.study.progress import Progress
 from core.study.results import Assessment, WallResult, WallVerdict
 from core.study.variants import flag_missing_variant
-from core.study.verdict_uncertainty import add_uncertainty
+from core.study.verdict_uncertainty import add_measures, add_uncertainty
 from core.study.wall_result import run_result, wall_result
 from core.study.wall_verdict import wall_verdicts
+from core.text.sentence import sentence
 from core.threads import Batch, Work
 from core.variation.assessment import assess
 from core.variation.limit_states import check_limit_states
+from core.variation.measures import Measure
 from core.variation.tie_design import Hinge, design_tie
 
 MIN_TASKS, MAX_SAMPLES = 8, 40_000
@@ -40,6 +42,7 @@ class StudyContext(NamedTuple):
     journal : of finished searches and checks
     progress : told of each task
     on_wall : told of each WallResult that has its checks
+    measures : what would make a wall that fails pass is sought
     """
 
     plan: Plan
@@ -52,6 +55,7 @@ class StudyContext(NamedTuple):
     journal: Journal | MemoryJournal | None
     progress: Progress
     on_wall: Callable[[WallResult], None]
+    measures: bool
 
 
 WallOutcome = tuple[list[WallResult], tuple[WallVerdict, ...]]
@@ -114,6 +118,10 @@ class _Wall:
         if given.demand and verdicts and plan.longest is None:  # of a group of walls the rows alone are kept
             beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.journal, given.progress
             verdicts = ((yield from add_uncertainty(*beside)),)
+        if given.measures and given.demand and verdicts:
+            verdict = yield from add_measures(plan, given.base_dir, given.demand, results, verdicts[0], given.journal)
+            results[verdict.governing] = advise(results[verdict.governing], verdict.measures)
+            verdicts = (verdict,)
         return results, verdicts
 
     def _searched(self) -> Work:
@@ -230,6 +238,15 @@ class _Wall:
         """Add parts to the assessment of an entry."""
         wall = self.results[k]
         self.results[k] = replace(wall, assessment=replace(wall.required_assessment, **parts))
+
+
+def advise(wall: WallResult, measures: tuple[Measure, ...] | None) -> WallResult:
+    """The result that decides about a wall with what is to be done about it. measures : of a wall that fails"""
+    if measures is None:
+        return wall
+    found = wall.required_assessment
+    to_do = tuple(measure.words for measure in measures) or (sentence("reason", "no_measure"),)
+    return replace(wall, assessment=replace(found, verdict=replace(found.verdict, to_do=to_do)))
 
 
 def make_accuracy_statement(wall: WallResult, motions, method, search, cancelled) -> Accuracy | None:

@@ -118,11 +118,12 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     kinematic, dynamic, demand = evaluation.kinematic, evaluation.dynamic, scene.demand
     if kinematic is None:
         return Assessment(None, (), None, None, make_verdict(evaluation.evidence, None))
-    made = evaluation.zeta is not None
     unheld = _without_restraint(evaluation, cancelled) if evaluation.satisfied else None
     below = unheld.dynamic if unheld else None
     raised: tuple[Assumption, ...] = ()
-    if made and (evaluation.satisfied or passes_with_q2(evaluation.made("linear_q_code"), demand.zeta_target)):
+    if evaluation.zeta is not None and (
+        evaluation.satisfied or passes_with_q2(evaluation.made("linear_q_code"), demand.zeta_target)
+    ):
         raised = evaluate_assumptions(evaluation, cancelled)
     limits, ratio = [one for one in (evaluation.lower_q_remark,) if one is not None], None
     if scene.floor is not None and scene.building is not None:
@@ -131,12 +132,12 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
     limits += _of_life_and_records(evaluation)
-    limits += _of_the_branch(evaluation)
+    limits += _branch_remark(evaluation)
     limits += _hold_remark(evaluation)
     limits += [*_of_bending(kinematic, scene.wall, dynamic is not None), *_of_ties_not_counted(evaluation)]
     limits += _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
-    unasked = find_unasked_range(evaluation) if made else None
+    unasked = find_unasked_range(evaluation) if evaluation.zeta is not None else None
     limits += [unasked.words] if unasked else []
     bound, passes = None, None
     if evaluation.satisfied:
@@ -270,7 +271,7 @@ def _of_bending(kinematic: KinematicAnalysis, wall: Wall, with_histories: bool) 
     return limits
 
 
-def _of_the_branch(evaluation: Evaluation) -> list[Sentence]:
+def _branch_remark(evaluation: Evaluation) -> list[Sentence]:
     """The elastic branch that the clause asks for in the histories of an element free to vibrate."""
     branch = evaluation.dynamic.branch if evaluation.dynamic else None
     if not isinstance(branch, Branch):

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 from core.case.asked import ASKED
-from core.case.document import Document, Evidence, document_of
+from core.case.document import AnyEvidence, Document, document_of
 from core.codes.assumption import GIVEN, DisplayValue
 from core.codes.kinematic import Check
 from core.setting.check_input import CheckInput
@@ -17,7 +17,7 @@ AlternativeEvaluations = list[Evaluation | None]
 """The wall at the other ends of the range of an input; None where it does not stand there."""
 
 
-ShownBy = tuple[Evidence, ...] | Document | None
+ShownBy = tuple[AnyEvidence, ...] | Document | None
 """Evidence of a wall or of the demand, or the one document of what holds it."""
 
 SceneChange = Callable[[CheckInput], CheckInput]

@@ -131,7 +131,7 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
     yield from _of_the_shape(wall, scene.mechanism)
     yield from _of_the_body(scene)
     yield from _of_the_edge(scene)
-    yield from _of_unlike_weights(wall)
+    yield from _unlike_weights(wall)
     if wall.above_ground and scene.building is not None:
         yield from favourable_building(scene, scene.building)
 
@@ -256,7 +256,7 @@ def _hinge_at(wall: Wall, setback: float) -> dict[str, Any]:
     return {"radius_m": radius, "slenderness_deg": math.degrees(math.atan2(x, z)), "inertia_over_mass_m2": inertia}
 
 
-def _of_unlike_weights(wall: Wall) -> Iterator[FavourableInput]:
+def _unlike_weights(wall: Wall) -> Iterator[FavourableInput]:
     """Solids of unlike weight: lighter outside, heavier inside, the weights alone move the centroid."""
     given = wall.unit_weight_kn_m3
     own = [solid.unit_weight_kn_m3 for solid in wall.solid if solid.unit_weight_kn_m3 is not None]

@@ -32,7 +32,7 @@ def test_that_a_document_can_be_given_in_the_window_for_every_key_that_the_table
     assert len(offered) == len(form.keys) == len(set(offered))
     assert {key for row in ASKED.values() if row.section == section for key in row.keys} <= set(form.keys)
     for key in form.keys:
-        kinds = form.made("", of=key).kinds
+        kinds = form.kind("", of=key).kinds
         assert kinds and set(kinds) <= set(field(form, "kind").entry.metadata["names"])
 
 

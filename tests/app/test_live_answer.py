@@ -72,8 +72,10 @@ def test_that_the_clauses_follow_a_key_and_the_verdict_the_hand_that_rests(live,
     assert live.head.words.startswith(f"w: {word(verdict_of(expected).code, 'en')}")
 
 
-def test_that_a_switch_shows_the_wall_at_the_other_end_and_back(live, application):
-    settle(application, lambda: live.result is not None)
+def test_that_a_switch_shows_the_wall_at_the_other_end_and_back(live, opened, application):
+    """A wall that passes by what is required of it alone."""
+    opened.session.edit_section("demand", ag_g=0.2, zeta_target=0.5)
+    settle(application, lambda: live.result is not None and bool(live.switches))
     as_it_is, said = zetas(live), live.head.words
     rows = {row.key: row for row in verdict_of(live.result).assumptions}
     key = next(key for key, box in live.switches.items() if box.isEnabled())

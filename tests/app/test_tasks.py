@@ -12,7 +12,6 @@ pytest.importorskip("PySide6.QtWidgets", reason="Qt cannot start here", exc_type
 
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QToolButton
 
-from app.input.reasons_form import ReasonField
 from app.shell import client_view, files, finder
 from app.shell.pointing import point_at
 from core.case.hold import Bars, Hold
@@ -191,7 +190,7 @@ def test_that_finding_a_field_of_a_load_there_is_none_of_leads_to_adding_one(ope
     application.processEvents()
     assert not field.isVisibleTo(opened) and opened.focusWidget() is opened.walls.holds.add_button
     before = opened.session.case
-    for one in (one for one in opened.stages.fields if not isinstance(one, ReasonField)):
+    for one in opened.stages.fields:
         point_at(opened.navigator, one)
         shown = one.isVisibleTo(opened) and one.isEnabled()
         assert shown == one.isAncestorOf(opened.focusWidget()), one.key

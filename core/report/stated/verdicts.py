@@ -12,6 +12,7 @@ from core.report.stated.quantity import (
     list_quantity,
     mapping_quantity,
     number,
+    numbers,
     object_quantity,
     rebase_group,
     text,
@@ -67,6 +68,19 @@ INTERVAL = (
     whole("stations", "stations drawn from"),
     flag("open_end", "whether the upper end is that of the search"),
 )
+
+MEASURE = (
+    text(
+        "measure",
+        "measure_tie, measure_ties, measure_hold, measure_thrust, measure_height or measure_thickness",
+        "code",
+    ),
+    number("size", "-", "force at each height [kN/m], height or thickness [m], share of the thrusts"),
+    number("zeta", "-", "zeta of the wall with it"),
+    numbers("heights_m", "m", "at which it acts", "heights"),
+    whole("bar_mm", "diameter of the bars of a tie", lambda of: of.bar[0]),
+)
+"""Quantities read from Measure."""
 
 RATE = (
     text("state", "limit state, or collapse"),
@@ -217,6 +231,7 @@ VERDICT = (
     ),
     object_quantity("interval", "of zeta_E for other samples of records", INTERVAL, "one.interval"),
     list_quantity("rates", "how often limit states are exceeded", RATE, "one.rates"),
+    list_quantity("measures", "that make a wall that fails pass", MEASURE, lambda of: of.one.measures or ()),
     object_quantity(
         "sensitivity", "what other values of the inputs do", SENSITIVITY, lambda of: of.one.sensitivity or None
     ),

@@ -1,0 +1,97 @@
+"""What would make a wall that fails pass: each measure is confirmed by the run of the wall with it."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from core.case import rules
+from core.codes.outcomes import FAILS, OUTCOMES, PASSES
+from core.report import json_report
+from core.setting.plan import read_inputs
+from core.study.run import run
+from core.variation import measures
+from core.variation.measures import find_measure, find_measures, measure_kinds
+from core.variation.wall_evaluation import evaluate_wall, make_wall_context, replace_wall
+from tests.holds import behind
+
+NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
+FACADE = {"name": "f", "height_m": 6.0, "thickness_m": 0.45, "base_z_m": 0.0, "unit_weight_kn_m3": 18.0}
+FACADE |= {"hold": [*behind("drawing", kind="floor", h_m=3.0), *behind("drawing", kind="roof", h_m=5.9)]}
+BUILDING = {"height_m": 6.0, "storeys": 2}
+FLOOR = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.3, "mass": "none"}
+FACADE |= {"load": [FLOOR | {"h_m": 3.0}, FLOOR | {"kn_m": 6.0, "h_m": 5.9}], "hinge_heights": "base"}
+PARAPET = {"name": "p", "height_m": 1.5, "thickness_m": 0.3, "base_z_m": 0.0, "unit_weight_kn_m3": 18.0}
+PARAPET |= {"unloaded_confirmed": True}
+VAULT = FACADE | {"name": "v", "load": [{"kind": "thrust", "kn_m": 1.0, "h_m": 5.0}]}
+
+
+def case_of(wall, ag=0.2, **more):
+    demand = {"ag_g": ag, "spectrum": NTC}
+    table = {"wall": [wall], "demand": demand, "building": BUILDING, "analysis": {"histories": False}}
+    return rules.parse_case(table | more)
+
+
+def context_of(case):
+    return make_wall_context(case, 0, Path(), read_inputs(case, Path()))
+
+
+@pytest.fixture
+def sought(monkeypatch):
+    """Measures are sought, as the program does."""
+    monkeypatch.setattr(measures, "MOST", 3)
+
+
+@pytest.mark.shows("verdict.measures")
+@pytest.mark.parametrize("wall, ag", [(FACADE, 0.2), (PARAPET, 0.25), (VAULT, 0.1)])
+def test_that_each_measure_makes_the_wall_pass_and_a_little_less_of_it_does_not(wall, ag):
+    setting, seen = context_of(case_of(wall, ag)), set()
+    assert not evaluate_wall(setting).sure
+    for kind in measure_kinds(setting):
+        found = find_measure(setting, kind, lambda: False)
+        if found is None:
+            continue
+        seen.add(found.code)
+        there = evaluate_wall(replace_wall(setting, kind.change(found.size)))
+        assert there.sure and there.zeta == found.zeta
+        less = found.size * (0.85 if kind.rises else 1.15)
+        if min(kind.least, kind.most) <= less <= max(kind.least, kind.most):
+            assert not evaluate_wall(replace_wall(setting, kind.change(less))).sure
+    assert seen
+
+
+@pytest.mark.shows("verdict.measures")
+def test_that_a_run_names_them_for_a_wall_that_fails_and_for_no_other(sought):
+    for ag, judgement in ((0.2, FAILS), (0.03, PASSES)):
+        result = run(case_of(FACADE, ag), base_dir=Path())
+        verdict = result.verdicts[0]
+        assert OUTCOMES[result.walls[verdict.governing].assessment.verdict.code].judgement == judgement
+        assert (verdict.measures is None) == (judgement == PASSES)
+        said = json_report.results(result)["verdicts"][0]
+        assert len(said["measures"]) == len(verdict.measures or ())
+        if judgement == FAILS:
+            assert 0 < len(verdict.measures) <= 3
+            assert [one["key"] for one in said["to_do"]] == [measure.code for measure in verdict.measures]
+            for stated, measure in zip(said["measures"], verdict.measures, strict=True):
+                assert (stated["measure"], stated["size"], stated["zeta"]) == (measure.code, measure.size, measure.zeta)
+                assert all("{" not in measure.words.text(language) for language in ("en", "it"))
+
+
+@pytest.mark.shows("verdict.measures")
+def test_that_a_measure_written_into_the_case_passes_in_the_run(sought):
+    """With histories: the case with the tie, or the ties, that a verdict names."""
+    case = case_of(FACADE, analysis={})
+    setting = context_of(case)
+    kinds = {kind.code: kind for kind in measure_kinds(setting)}
+    for measure in find_measures(setting):
+        wall = kinds[measure.code].change(measure.size)
+        verdict = run(replace(case, wall=(wall,)), base_dir=Path()).verdicts[0]
+        result = run(replace(case, wall=(wall,)), base_dir=Path())
+        codes = [result.walls[k].assessment.verdict.code for k in verdict.results]
+        assert all(OUTCOMES[code].judgement == PASSES for code in codes), (measure, codes)
+
+
+def test_that_a_wall_that_nothing_makes_pass_says_so(sought):
+    result = run(case_of(PARAPET | {"height_m": 6.0, "thickness_m": 0.1}, 1.5), base_dir=Path())
+    assert result.verdicts[0].measures == ()
+    assert [one.code for one in result.walls[0].assessment.verdict.to_do] == ["no_measure"]
