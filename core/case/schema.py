@@ -78,9 +78,17 @@ class Generate:
     scatter: float = number_key(0.0, 1.0, SPREAD)
 
 
+DECIDE, BESIDE, NO_HISTORIES = "decide", "beside", "none"
+"""What time histories do to an outcome."""
+
+
 @dataclass(frozen=True)
 class Analysis:
-    """[analysis]: method and search."""
+    """[analysis]: method and search.
+
+    histories : decide, as the clause has them; beside a check of the clauses, which decides then; none (also true and
+        false, of the first and the last)
+    """
 
     method: str = choice_key(AUTO.name, *METHODS, default=AUTO.name)
     q_step: float = number_key(1e-4, 0.1, 0.005, form_unit="%")
@@ -88,8 +96,14 @@ class Analysis:
     map_span: float = number_key(1.0, 10.0, 2.0)
     robust_window: float = number_key(0.01, 0.5, 0.10, form_unit="%")
     polarity: str = choice_key("both", "as_recorded", "reversed", default="both")
-    histories: bool = flag_key(True)
+    histories: str = choice_key(DECIDE, BESIDE, NO_HISTORIES, default=DECIDE)
     accuracy: bool = flag_key()
+
+    @staticmethod
+    def upgrade_keys(table: dict) -> dict:
+        """The keys with the word for histories that are switched on or off."""
+        given = table.get("histories")
+        return table | {"histories": DECIDE if given else NO_HISTORIES} if isinstance(given, bool) else table
 
 
 def sections() -> dict[str, type]:
@@ -149,7 +163,7 @@ class Case:
     def default_histories(self) -> bool:
         """Whether no records are given or asked for, so that a set is generated for its spectrum."""
         demand = self.demand
-        asked = bool(self.record or self.generate or self.select) or not self.analysis.histories
+        asked = bool(self.record or self.generate or self.select) or self.analysis.histories == NO_HISTORIES
         return not asked and demand is not None and bool(demand.spectrum or demand.spectrum_file)
 
     def as_dict(self) -> dict:

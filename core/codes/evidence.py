@@ -28,7 +28,7 @@ class Circumstances:
     bundled : some are the example's
     strongest : largest PGA at the demand, FC apart [m/s2]
     both_signs : a one-sided wall was given each record with both
-    histories_off : none were to be made
+    histories_off : none were to be made; beside : zeta of those that decide nothing [-]
     exact : the integrator is not one for comparison
     unbranched : code of the reason why histories have not the elastic branch the clause asks for, empty where they have
     sound : stations of records that nothing doubts, -1 where nobody looked
@@ -40,6 +40,7 @@ class Circumstances:
     strongest: float = 0.0
     both_signs: bool = True
     histories_off: bool = False
+    beside: float | None = None
     exact: bool = True
     unbranched: str = ""
     sound: int = -1

@@ -168,6 +168,7 @@ def make_verdict(
         wall,
         *carried,
         seen.circumstances.histories_off,
+        seen.circumstances.beside,
     )
     decides = missing
     if missing is None and governing:

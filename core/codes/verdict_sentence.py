@@ -113,6 +113,7 @@ def outcome(
     permitted: tuple[Assumption, ...] = (),
     shown: tuple[Assumption, ...] = (),
     histories_off: bool = False,
+    zeta_beside: float | None = None,
 ) -> tuple[str, dict]:
     """Choose the sentence of a verdict: its key in the catalogue, and the values of its placeholders.
 
@@ -128,7 +129,7 @@ def outcome(
     wall : what is declared of it, and what it carries
     permitted : defaults that a clause permits, and whose other ends turn the outcome
     shown : inputs whose other ends would turn it, but for the document that shows them
-    histories_off : none were to be made
+    histories_off : none were to be made; zeta_beside : of those that decide nothing
     """
     target, way = demand.zeta_target, code
     if code == "not_activated" and wall.above_ground:
@@ -148,6 +149,8 @@ def outcome(
         tail = sentence("added", "no_q_check", q=CODE_Q, tail=tail)
     if histories_off and OUTCOMES[code].judgement == PASSES:
         tail = sentence("added", "no_histories_made", tail=tail)
+    if zeta_beside is not None:
+        tail = sentence("added", "histories_beside", tail=tail, zeta=apart(zeta_beside, target))
     tail = _carried_by(code, tail, wall, permitted, shown, target)
     low, high = dynamic.zeta_spread if code == "at_limit" else (None, None)
     return way, {

@@ -80,7 +80,7 @@ class CheckInput:
     ground : the records; compliance : of them with the spectrum, None without a spectrum
     polarity : of [analysis]
     by_default : the records are generated for want of given ones: they may lower an outcome, never raise it
-    histories_off : none are to be made
+    histories_off : none are to be made; beside : they stand beside the check of the clauses that decides
     q_slv : of the searches of this very wall, the one its linear check takes and itself; None where none was made
     histories : `run_dynamic_check`, or one that keeps its results
     left_out : of `Circumstances`
@@ -101,6 +101,7 @@ class CheckInput:
     q_slv: tuple[float | None, float | None] = (None, None)
     histories: Callable[..., Any] = run_dynamic_check
     left_out: tuple[Sentence, ...] = ()
+    beside: bool = False
 
     @property
     def kinematics(self) -> Kinematics:

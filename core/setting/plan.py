@@ -10,7 +10,7 @@ from typing import NamedTuple
 from core.capacity.ida import Search
 from core.case.hinges import WallPart, count_wall_parts, make_wall_parts, variant_key
 from core.case.register import find_left_out
-from core.case.schema import Case
+from core.case.schema import BESIDE, NO_HISTORIES, Case
 from core.case.site import Building
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
@@ -97,7 +97,8 @@ class Plan:
             self.case.analysis.polarity,
             self.method,
             by_default=self.case.default_histories,
-            histories_off=not self.case.analysis.histories,
+            histories_off=self.case.analysis.histories == NO_HISTORIES,
+            beside=self.case.analysis.histories == BESIDE,
             histories=histories,
             left_out=find_left_out(entry.part, self.case.building),
         )

@@ -109,7 +109,8 @@ def _evaluate_at(
     evaluation: Evaluation, change: SceneChange, by_histories: bool, cancelled: Callable[[], bool]
 ) -> Evaluation | None:
     """The wall with a change, None where it does not stand without what lifts it."""
-    there = evaluation.scene if by_histories else evaluation.scene.without_records()
+    decisive = by_histories and not evaluation.scene.beside
+    there = evaluation.scene if decisive else evaluation.scene.without_records()
     try:
         return evaluate(change(there), other=False, cancelled=cancelled)
     except InputError:
@@ -182,41 +183,28 @@ def _together(
     evaluation: Evaluation,
     cancelled: Callable[[], bool],
 ) -> tuple[Assumption, ...]:
-    """The rows, and the last one, all of them; where none turns a check alone, and all without a reason do together,
-    each of these does.
+    """The rows; where none that nobody shows turns a check alone, and all of these do together, each of them does, and
+    the last row is of all of them.
 
     worst : (row, change to the end with the lowest zeta) of each
     """
-    decides, q_check = evaluation.decides, evaluation.made("linear_q_code")
-    assert decides is not None
-    unsaid = [pair for pair in worst if pair[0].open]
-    open_keys = tuple(dict.fromkeys(row.key for row, _ in unsaid))
-    asked = bool(decides.passed) and not any(row.turns for row, _ in unsaid)
-    asked_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unsaid)
-
-    def there(pairs, by_histories: bool) -> Evaluation | None:
-        return _evaluate_at(evaluation, _all_of(change for _, change in pairs), by_histories, cancelled)
-
-    if len(unsaid) > 1 and (asked or asked_q):
-        end = there(unsaid, asked)
-        joint = asked and _turns(end, decides)
-        joint_q = asked_q and q_check is not None and _turns(end, q_check)
-        rows = [
-            replace(row, turns=row.turns or joint, turns_q=row.turns_q or joint_q) if row.key in open_keys else row
-            for row in rows
-        ]
-        if joint:
-            rows.append(_last(open_keys, end, decides, evaluation, turns=True))
-            return tuple(rows)
-    if len(worst) > 1 and not any(row.zeta is None for row, _ in worst):
-        rows.append(_last(tuple(row.key for row, _ in worst), there(worst, True), decides, evaluation))
+    decides, q_check = require_value(evaluation.decides), evaluation.made("linear_q_code")
+    unshown = [pair for pair in worst if pair[0].open]
+    keys = tuple(dict.fromkeys(row.key for row, _ in unshown))
+    asked = not any(row.turns for row, _ in unshown)
+    asked_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unshown)
+    if len(unshown) < 2 or not (asked or asked_q):
+        return tuple(rows)
+    end = _evaluate_at(evaluation, _all_of(change for _, change in unshown), asked, cancelled)
+    joint = asked and _turns(end, decides)
+    joint_q = asked_q and q_check is not None and _turns(end, q_check)
+    rows = [
+        replace(row, turns=row.turns or joint, turns_q=row.turns_q or joint_q) if row.key in keys else row
+        for row in rows
+    ]
+    if joint:
+        zeta = _zeta(end, decides)
+        words = sentence("reason", "lifts_together", keys=tuple(map(Key, keys)), zeta=Number(zeta))
+        outcome = _outcome(end, evaluation, True)
+        rows.append(Assumption(ALL_TOGETHER_KEY, words, "", "", DEFAULT, zeta, outcome, True))
     return tuple(rows)
-
-
-def _last(
-    keys: tuple[str, ...], end: Evaluation | None, check: Check, evaluation: Evaluation, turns=False
-) -> Assumption:
-    """The row of several inputs at their other ends together."""
-    zeta = _zeta(end, check)
-    words = sentence("reason", "lifts_together", keys=tuple(map(Key, dict.fromkeys(keys))), zeta=Number(zeta))
-    return Assumption(ALL_TOGETHER_KEY, words, "", "", DEFAULT, zeta, _outcome(end, evaluation, True), turns)

@@ -60,6 +60,7 @@ class Evaluation:
     kinematic : None above the ground where the building is not known
     dynamic : the check by histories, None without records and of a limit state that has none
     checks : those that could be made, the one that decides first, then the most refined
+    beside : the check by histories where it decides nothing, which is not among them
     precision : of the histories
     """
 
@@ -68,6 +69,7 @@ class Evaluation:
     dynamic: DynamicCheck | None
     checks: tuple[Check, ...]
     precision: Precision = FULL_PRECISION
+    beside: DynamicCheck | None = None
 
     @property
     def decides(self) -> Check | None:
@@ -107,6 +109,7 @@ class Evaluation:
             strongest=max((demand.scaling(motion) * motion.pga for motion in motions), default=0.0),
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
             histories_off=scene.histories_off and not motions,
+            beside=self.beside.zeta if self.beside else None,
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
             sound=len(counted_stations([motion for motion in motions if not is_doubtful(motion)], demand)),
@@ -168,8 +171,11 @@ def evaluate(
         return Evaluation(scene, None, None, (), precision)
     dynamic = check_by_histories(scene, precision, other, cancelled)
     made = make_kinematic_checks(kinematic, scene.demand, _counted(kinematic, scene.q_slv[0]))
+    beside = None
+    if scene.beside and made:
+        dynamic, beside = None, dynamic
     checks = _with_histories(made, dynamic, scene)
-    evaluation = Evaluation(scene, kinematic, dynamic, checks, precision)
+    evaluation = Evaluation(scene, kinematic, dynamic, checks, precision, beside)
     if scene.by_default:
         evaluation = replace(evaluation, checks=_worse_first(evaluation))
     return replace(evaluation, checks=_place_hold(evaluation, _check_of_holds(scene, kinematic, dynamic)))

@@ -347,7 +347,7 @@ def test_that_the_answer_leads_to_what_it_asks_for(opened, application):
 def test_that_an_answer_without_bars_leads_to_a_demand_and_to_motions(opened, application):
     spectrum = Spectrum("EN1998", "B", type=1)
     opened.session.edit_section("demand", soil_factor=None, spectrum=spectrum)
-    analysis = replace(opened.session.case.analysis, histories=False)
+    analysis = replace(opened.session.case.analysis, histories="none")
     opened.session.edit(replace(opened.session.case, record=(), analysis=analysis))
     settle(application, lambda: not opened.records.pending)
     run(application, opened)

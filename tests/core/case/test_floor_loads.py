@@ -55,7 +55,7 @@ def test_that_each_wall_bears_half_of_the_span_as_if_the_loads_were_written_on_i
 
 
 def clauses_alone_of(case):
-    return replace(case, analysis=replace(case.analysis, histories=False))
+    return replace(case, analysis=replace(case.analysis, histories="none"))
 
 
 def test_that_floors_bear_where_a_slider_moved_them():

@@ -432,7 +432,7 @@ def test_that_the_displacement_check_says_when_its_zeta_is_that_of_the_start(nam
 def test_that_a_wall_that_passes_says_that_the_supports_of_its_floors_are_not_checked(tmp_path, ag, loads, is_said):
     wall = {"height_m": 4.0, "unit_weight_kn_m3": 18.0, "free_element": False}
     wall |= {"load": loads} if loads else {"unloaded_confirmed": True}
-    asked = replace(case(ag, wall), analysis=replace(case().analysis, histories=False))
+    asked = replace(case(ag, wall), analysis=replace(case().analysis, histories="none"))
     found = study.run(asked, base_dir=tmp_path).walls[0]
     assert ("supports" in codes(found.assessment.verdict.limits)) == is_said
     assert found.assessment.kinematic.d_limit == pytest.approx(0.40 * found.assessment.kinematic.d0, rel=1e-12)

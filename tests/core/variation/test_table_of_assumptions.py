@@ -26,6 +26,7 @@ from core.variation.favourable_site import favourable_demand
 from tests.clauses_alone import parse_case
 from tests.core.ooxml.writers import WRITERS, workbook
 from tests.core.variation.one_evaluation import looked_at
+from tests.core.variation.random_walls import random_tables
 from tests.holds import at_top, behind, carries, shown
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
@@ -217,6 +218,27 @@ def test_that_the_sentence_of_a_wall_says_that_histories_were_switched_off():
     ]
     assert ["No time histories were made" in one.text("en") for one in said] == [True, False, False]
     assert said[0].code in PASSED and OUTCOMES[said[2].code].judgement != PASSES
+
+
+@pytest.mark.shows("verdict.histories_off")
+def test_that_histories_beside_a_check_of_the_clauses_change_no_outcome_and_stand_in_its_sentence():
+    """Whatever the histories say: the outcome is that without them, and zeta of those that decide is named."""
+    seen = set()
+    for table in random_tables(4, histories=True):
+        found = {}
+        for word in ("decide", "beside", "none"):
+            alone = {key: value for key, value in table.items() if word != "none" or key != "generate"}
+            case = rules.parse_case(alone | {"analysis": table["analysis"] | {"histories": word}})
+            found[word] = run(case, base_dir=Path()).walls
+        for decides, beside, none in zip(*found.values(), strict=True):
+            one, other = beside.assessment.verdict, none.assessment.verdict
+            assert (one.code, one.zeta_e, one.governing) == (other.code, other.zeta_e, other.governing)
+            assert "time histories give" not in decides.assessment.verdict.text("en") + other.text("en")
+            by_histories = decides.assessment.dynamic
+            if by_histories is not None and by_histories.zeta is not None and one.governing is not None:
+                assert ("time histories give" in one.text("en")) == (one.code != "undetermined")
+                seen.add(one.code == decides.assessment.verdict.code)
+    assert seen
 
 
 # what is required

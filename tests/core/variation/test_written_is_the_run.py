@@ -49,7 +49,7 @@ def case_at(case, scene):
     wall = replace(scene.wall.without_sought(), name="w", variant=None, mechanism=scene.mechanism)
     changes = {"wall": (replace(wall, hinge_heights="base"),), "demand": demand, "building": scene.building}
     if scene.by_default:
-        changes["analysis"] = replace(case.analysis, histories=True)
+        changes["analysis"] = replace(case.analysis, histories="decide")
     elif case.generate is not None:
         changes["generate"] = find_generation_settings(scene.ground) or case.generate
     return replace(case, **changes)
