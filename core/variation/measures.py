@@ -14,12 +14,12 @@ from core.case.document import Document
 from core.case.hinges import storey_ends
 from core.case.hold import TIE, Hold
 from core.case.wall import Wall
+from core.codes.dynamic_check import check_around_demand
 from core.errors import InputError
 from core.known import require_value
 from core.setting.plan import FloorCache
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.changes import rescale_thickness
-from core.variation.evaluate import FULL_PRECISION
 from core.variation.wall_evaluation import WallContext, WallEvaluation, evaluate_wall, replace_wall
 from core.wall.ties import bars_for
 
@@ -44,6 +44,10 @@ LEAST_FORCE, MOST_FORCE = 0.2, 100.0
 
 OF_FORCE = "measure_tie", "measure_hold", "measure_ties"
 """Measures whose size is a force."""
+
+INSTEAD = "measure_ties", "measure_thickness"
+"""Measures that are sought where no other makes a wall pass: ties at all floors hold as floors that are connected do,
+and a wall that stands is seldom made thicker."""
 
 NEAR_TOP, LOWEST_TIE = 0.95, 0.6
 """Height of a tie in a wall of which no floor is known, and lowest height of one alone, of the wall [-]."""
@@ -119,8 +123,8 @@ def find_measures(setting: WallContext, cancelled: Callable[[], bool] = lambda: 
     for kind in measure_kinds(setting):
         if len(found) == MOST:
             break
-        if kind.code == "measure_ties" and any(one.code == "measure_hold" for one in found):
-            continue  # ties at the floors hold them as anchors of the same force do
+        if found and kind.code in INSTEAD:
+            continue
         measure = find_measure(setting, kind, cancelled)
         found += [] if measure is None else [measure]
     return tuple(found)
@@ -131,17 +135,15 @@ def find_measure(setting: WallContext, kind: MeasureKind, cancelled: Callable[[]
 
     floors = FloorCache()
 
-    def there(size: float, by_histories: bool) -> WallEvaluation | None:
+    def there(size: float, **changes) -> WallEvaluation | None:
         try:
-            changed = replace_wall(setting, kind.change(size))
-            if by_histories:
-                return evaluate_wall(changed, FULL_PRECISION, cancelled=cancelled)
-            return evaluate_wall(replace(changed, inputs=(setting.demand, [], [])), None, floors)
+            changed = replace(replace_wall(setting, kind.change(size)), **changes)
+            return evaluate_wall(changed, floors=None if changed.inputs[1] else floors, cancelled=cancelled)
         except InputError:
             return None
 
     def holds(size: float) -> bool:
-        evaluated = there(size, False)
+        evaluated = there(size, inputs=(setting.demand, [], []))
         return evaluated is not None and evaluated.sure
 
     passing = next((size for size in kind.sizes if holds(size)), None)
@@ -151,7 +153,8 @@ def find_measure(setting: WallContext, kind: MeasureKind, cancelled: Callable[[]
     size = passing if before is None else narrowed(holds, passing, before, CLOSE).good
     for _ in range(TRIES):
         size = kind.rounded(size)
-        evaluated = there(size, True) if holds(size) else None
+        near = there(size, histories=check_around_demand) if holds(size) else None
+        evaluated = there(size) if near is not None and near.sure else None
         if evaluated is not None and evaluated.sure:
             return Measure(kind.code, size, evaluated.zeta, kind.heights)
         size = size * MORE if kind.rises else size / MORE

@@ -1,5 +1,7 @@
 """One wall run alone: what the whole case says of it; its table, row by row."""
 
+from dataclasses import replace
+
 import pytest
 
 from core.case.rules import parse_case
@@ -50,9 +52,11 @@ def test_that_a_wall_run_alone_is_judged_as_beside_all_others(case):
     for row, verdict in enumerate(whole.verdicts):
         alone = run_wall(case, row, ROOT, None)
         beside = [whole.walls[k].assessment for k in sorted(verdict.results)]
-        assert repr([(wall.assessment.checks, wall.assessment.verdict) for wall in alone.walls]) == repr(
-            [(one.checks, one.verdict) for one in beside]
-        )
+        judged = [(one.checks, one.verdict) for one in beside]
+        if verdict.measures is not None:  # which are sought of a wall that fails in the whole case alone
+            place = sorted(verdict.results).index(verdict.governing)
+            judged[place] = judged[place][0], replace(judged[place][1], to_do=())
+        assert repr([(wall.assessment.checks, wall.assessment.verdict) for wall in alone.walls]) == repr(judged)
         assert alone.verdicts[0].governing == verdict.governing - min(verdict.results)
 
 
