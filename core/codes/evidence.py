@@ -123,8 +123,9 @@ def _rests_on(wall: Masonry) -> bool:
 def optional_remarks(seen: Evidence, code: str) -> list[Sentence]:
     """Sentences a reader may pass over."""
     notes = _weaker(seen, code, False)
-    if seen.kinematic and seen.kinematic.chain.friction_height is not None:
-        notes.append(reason("friction_hinge", height=seen.kinematic.chain.friction_height))
+    kinematic = seen.kinematic
+    if kinematic and kinematic.chain.friction_height is not None:
+        notes.append(reason("friction_hinge", height=kinematic.chain.friction_height))
     wall, compliance = seen.wall, seen.compliance
     alpha = 0.0 if wall.arch else math.degrees(wall.block.slenderness)
     if alpha > STOCKY_DEG:
