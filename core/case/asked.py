@@ -53,6 +53,7 @@ ASKED = {
     "lift_solid_weight": AskedInput("C8.5.3", WALL, ("unit_weight_kn_m3",), MEASURED),
     "lift_edge": AskedInput("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
     "lift_edge_of_body": AskedInput("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
+    "lift_unit_weight": AskedInput("C8.5.3", WALL, ("unit_weight_kn_m3",), MEASURED),
     "lift_strength": AskedInput("C8.5.3", WALL, ("compressive_strength_mpa",), MEASURED),
     "lift_modulus": AskedInput("C8.5.3", WALL, ("elastic_modulus_mpa",), MEASURED),
     "lift_confidence_factor": AskedInput("C8.5.4", DEMAND, ("confidence_factor",), MEASURED),
@@ -67,6 +68,7 @@ ASKED = {
     "lift_scatter": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
     "lift_alike": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
     "other_building": AskedInput("C8.7.1.2.1.4", DEMAND, ("building",), MEASURED),
+    "lift_period": AskedInput("C7.2.3", DEMAND, ("period_s",), MEASURED),
     "lift_modes": AskedInput("C7.2.3", DEMAND, ("participation",), MEASURED),
     "lift_participation": AskedInput("C7.2.3", DEMAND, ("participation",), MEASURED),
 }
@@ -89,11 +91,11 @@ def shown_by(section: str, key: str) -> str:
 
 
 NOT_ASKED = {
-    "lift_period": "a period by the formula of NTC 2018 7.3.3.2, or one that is given, is what the clause takes",
+    "period_range": "a period by the formula of NTC 2018 7.3.3.2, or one that is shown, is what the clause takes",
     "at_centroid": "C8.7.1.2.1.5 takes the demand at the line about which the body turns",
     "lift_storeys": "C7.2.3 counts them, and a building has those it has",
     "lift_lever": "where a floor bears is drawn; 5 % of the thickness is how well one knows it",
-    "lift_unit_weight": "it is measured, or is that of the type of masonry of Table C8.5.I",
+    "weight_within_table": "Table C8.5.I gives the weights of the type, all of them means",
     "modulus_within_table": "Table C8.5.I gives the moduli of the type, all of them means",
     "lift_masonry": "the engineer names the type of masonry; its weakest is asked about by the hinge",
 }

@@ -9,6 +9,7 @@ from core.case.asked import ASKED
 from core.case.document import AnyEvidence, Document, document_of
 from core.codes.assumption import GIVEN, DisplayValue
 from core.codes.kinematic import Check
+from core.known import require_value
 from core.setting.check_input import CheckInput
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
@@ -123,3 +124,17 @@ def single_alternative(
 
 LOAD_AND_MASONRY_KEYS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load", "h_m", "unit_weight_kn_m3")
 """Keys of what loads and masonry raise, told only where the other end is the lower one."""
+
+
+def with_building(scene: CheckInput, **values) -> CheckInput:
+    """The scene with these keys of its building."""
+    return scene.replace_parts(building=replace(require_value(scene.building), **values))
+
+
+def at_period(scene: CheckInput, period: float) -> CheckInput:
+    """The building with this first period [s], all its modes in proportion."""
+    building = require_value(scene.building)
+    if not building.modes:
+        return with_building(scene, period_s=period)
+    factor = period / building.modes[0].period_s
+    return with_building(scene, modes=tuple(replace(mode, period_s=factor * mode.period_s) for mode in building.modes))

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from core.case.document import DemandEvidence
 from core.case.site import Building, Demand, HazardRow, Spectrum
 from core.codes.assumption import DEFAULT, GIVEN, DisplayValue
 from core.codes.demand import SeismicDemand
-from core.codes.floor_spectrum import first_mode
+from core.codes.floor_spectrum import estimated_period, first_mode
 from core.codes.limits import ORDINARY_LIFE, return_period
 from core.codes.national_hazard import national_range
 from core.codes.spectrum_codes import CODES, NATIONAL
@@ -27,9 +28,11 @@ from core.variation.favourable_input import (
     Alternative,
     FavourableInput,
     SceneChange,
+    at_period,
     demand_change,
     single_alternative,
     zeta_for_sorting,
+    zeta_phrase,
 )
 
 
@@ -84,13 +87,18 @@ def _of_the_spectrum(scene: CheckInput) -> Iterator[FavourableInput]:
                 said = {"name": Key(key), "given": given, "least": least, "most": most}
                 yield single_alternative(key, "lift_outside_italy", reasons, given, _under(there, most), **said)
     elif demand.target is not None and (row := _row_of(demand, asked)) is not None:
-        soil = spectrum.soil if spectrum else "A"
-        there = _with_spectrum(demand, asked, Spectrum(NATIONAL, soil, row.f0, row.tc_star_s, "T1"))
+        soils = (spectrum.soil,) if spectrum else SOILS
         given = CODES[spectrum.code].name if spectrum else asked.spectrum_file or ""
-        words = sentence("added", "ntc_spectrum", soil=soil)
-        yield single_alternative(
-            "spectrum", "lift_spectrum", reasons, given, _under(there, words), name=given, soil=soil
-        )
+        ends = []
+        for soil in soils:
+            there = _with_spectrum(demand, asked, Spectrum(NATIONAL, soil, row.f0, row.tc_star_s, "T1"))
+            ends.append(_under(there, sentence("added", "ntc_spectrum", soil=soil)))
+
+        def words(zetas, _):
+            k = min(range(len(soils)), key=lambda k: zeta_for_sorting(zetas[k]))
+            return sentence("reason", "lift_spectrum", zeta=zeta_phrase(zetas[k]), name=given, soil=soils[k])
+
+        yield FavourableInput("lift_spectrum", "spectrum", reasons, given, tuple(ends), words)
     elif spectrum is not None and spectrum.type == 2:
         try:
             there = _with_spectrum(demand, asked, replace(spectrum, type=1))
@@ -98,6 +106,10 @@ def _of_the_spectrum(scene: CheckInput) -> Iterator[FavourableInput]:
             return
         types = [sentence("word", "spectrum_type", type=n) for n in (2, 1)]
         yield single_alternative("spectrum", "lift_type", reasons, types[0], _under(there, types[1]))
+
+
+SOILS = ("A", "B", "C", "D", "E")
+"""Soils of NTC 2018 beside which the spectrum of a file stands, whose soil nobody tells."""
 
 
 def _row_of(demand: SeismicDemand, asked: Demand) -> HazardRow | None:
@@ -170,6 +182,11 @@ def favourable_building(scene: CheckInput, building: Building) -> Iterator[Favou
     wall, asked, limit_state = scene.wall, scene.asked, scene.demand.limit_state
     base, felt = wall.base_z_m, wall.demand_height_m
     assert base is not None and felt is not None
+    given = building.modes[0].period_s if building.modes else building.period_s
+    expected = estimated_period(building.height_m)
+    if given is not None and abs(expected / given - 1.0) > 0.01:
+        end = Alternative(partial(at_period, period=expected), expected)
+        yield single_alternative("period_s", "lift_period", asked.evidence, given, end, period=expected)
     if ends := period_and_damping_bounds(building, limit_state):
 
         def words(zetas, _):

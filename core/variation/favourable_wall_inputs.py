@@ -132,6 +132,7 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
     yield from _of_the_body(scene)
     yield from _of_the_edge(scene)
     yield from _unlike_weights(wall)
+    yield from _odd_weight(wall)
     if wall.above_ground and scene.building is not None:
         yield from favourable_building(scene, scene.building)
 
@@ -266,6 +267,18 @@ def _unlike_weights(wall: Wall) -> Iterator[FavourableInput]:
         end = Alternative(wall_change(solid=solids, unit_weight_kn_m3=even), even)
         value = sentence("word", "of_solids")
         yield single_alternative("unit_weight_kn_m3", "lift_solid_weight", wall.evidence, value, end, even=even)
+
+
+def _odd_weight(wall: Wall) -> Iterator[FavourableInput]:
+    """A unit weight that no masonry of its type has, beside loads that it holds or that hold it."""
+    given, (low, high) = wall.unit_weight_kn_m3, weights(wall.masonry)
+    if given is None or low <= given <= high or not (wall.is_loaded or wall.kinematics.arches):
+        return
+    solids = tuple(replace(solid, unit_weight_kn_m3=None) for solid in wall.solid)
+    ends = tuple(
+        Alternative(wall_change(unit_weight_kn_m3=value, solid=solids), value) for value in dict.fromkeys((low, high))
+    )
+    yield FavourableInput("lift_unit_weight", "unit_weight_kn_m3", wall.evidence, given, ends)
 
 
 def _of_the_shape(wall: Wall, mechanism: str) -> Iterator[FavourableInput]:

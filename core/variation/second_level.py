@@ -20,7 +20,7 @@ from core.setting.check_input import CheckInput
 from core.setting.floors import MAX_STOREY, MIN_STOREY
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.evaluate import Evaluation, evaluate
-from core.variation.favourable_input import SceneChange, wall_change
+from core.variation.favourable_input import SceneChange, at_period, wall_change, with_building
 from core.variation.favourable_wall_inputs import setback_at, turning_inside
 
 LEVER = 0.05
@@ -103,10 +103,10 @@ def unasked_inputs(scene: CheckInput) -> Iterator[UnaskedInput]:
 
 def _of_the_masonry(scene: CheckInput, wall: Wall) -> Iterator[UnaskedInput]:
     """Unit weight and modulus within Table C8.5.I, the hinge of the weakest masonry of the whole table."""
-    given = wall.unit_weight_kn_m3
-    if given is not None and (wall.is_loaded or wall.kinematics.arches):
-        ends = tuple(wall_change(unit_weight_kn_m3=weight) for weight in weights(wall.masonry) if weight != given)
-        yield UnaskedInput("lift_unit_weight", "unit_weight_kn_m3", ends)
+    given, (low, high) = wall.unit_weight_kn_m3, weights(wall.masonry)
+    if given is not None and low <= given <= high and (wall.is_loaded or wall.kinematics.arches):
+        ends = tuple(wall_change(unit_weight_kn_m3=weight) for weight in (low, high) if weight != given)
+        yield UnaskedInput("weight_within_table", "unit_weight_kn_m3", ends)
     modulus, (least, most) = wall.elastic_modulus_mpa, moduli(wall.masonry)
     if modulus is not None and wall.in_si.is_free(scene.mechanism) and least < modulus <= most:
         yield UnaskedInput("modulus_within_table", "elastic_modulus_mpa", (wall_change(elastic_modulus_mpa=least),))
@@ -130,26 +130,13 @@ def _shift_weights(scene: CheckInput, by: float) -> CheckInput:
 def _of_the_building(wall: Wall, building: Building) -> Iterator[UnaskedInput]:
     """Period and storeys of a building, and the height at which its motion is taken."""
     expected = estimated_period(building.height_m)
-    ends = tuple(partial(_with_period, period=share * expected) for share in (*PERIODS, 1.0))
-    yield UnaskedInput("lift_period", "period_s", ends)
+    ends = tuple(partial(at_period, period=share * expected) for share in (*PERIODS, 1.0))
+    yield UnaskedInput("period_range", "period_s", ends)
     storey = building.height_m / building.storeys
     if not MIN_STOREY <= storey <= MAX_STOREY and not building.modes:
         many = int(-(-building.height_m // MIN_STOREY))
-        yield UnaskedInput("lift_storeys", "storeys", (partial(_with_building, storeys=many),))
+        yield UnaskedInput("lift_storeys", "storeys", (partial(with_building, storeys=many),))
     half = wall.in_si.bare.centroid[1] if wall.has_shape else 0.5 * (wall.height_m or wall.block().height)
     centroid = min(require_value(wall.base_z_m) + half, building.height_m)
     if not building.modes and centroid > require_value(wall.demand_height_m):
         yield UnaskedInput("at_centroid", "base_z_m", (wall_change(base_z_m=centroid),))
-
-
-def _with_building(scene: CheckInput, **values) -> CheckInput:
-    return scene.replace_parts(building=replace(require_value(scene.building), **values))
-
-
-def _with_period(scene: CheckInput, period: float) -> CheckInput:
-    """The building with this first period [s], all its modes in proportion."""
-    building = require_value(scene.building)
-    if not building.modes:
-        return _with_building(scene, period_s=period)
-    factor = period / building.modes[0].period_s
-    return _with_building(scene, modes=tuple(replace(mode, period_s=factor * mode.period_s) for mode in building.modes))

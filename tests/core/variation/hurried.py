@@ -101,7 +101,8 @@ def _ways():
     yield Way("an intensity of 5 cm", "facade", small, "linear_alone")
     for key, value in {"f0": 2.0, "tc_star_s": 0.05}.items():
         yield Way(f"{key} = {value}", "facade", {SPECTRUM + key: value}, key)
-    yield Way("EN 1998 type 2, no hazard", "facade", {"demand.spectrum": EUROPEAN}, "lift_type spectrum")
+    of_soil_c = {"demand.spectrum": EUROPEAN | {"soil": "C"}}
+    yield Way("EN 1998 type 2, no hazard", "facade", of_soil_c, "lift_type spectrum")
     # of the soil that is given: rock in place of soil C is the designer's statement, printed with the demand
     soil_c = {"demand.spectrum": EUROPEAN | {"soil": "C"}}
     yield Way("EN 1998 type 2", "at a site", soil_c, "lift_spectrum")
@@ -172,13 +173,13 @@ def _ways():
     }
     yield Way("a radius of one's own", "facade", general)
     heavy, bare = FLOOR | {"kn_m": 300.0, "d_m": 0.45, "mass": "none"}, {WALL + "unloaded_confirmed": DROP}
-    yield Way("a heavy floor at the inner face", "facade", bare | {WALL + "load": [heavy]}, "lift_lever")
+    yield Way("a heavy floor at the inner face", "facade", bare | {WALL + "load": [heavy]}, "unasked_range")
     low = bare | {WALL + "load": [heavy | {"h_m": 0.1}], WALL + "hinge_heights": "base"}
     yield Way("a heavy floor just above the hinge", "facade", low, "h_m")
     inward = {"kind": "thrust", "kn_m": -0.5, "h_m": 5.0}
     yield Way("a force that pulls inward", "facade", bare | {WALL + "load": [inward]}, "load")
     yield Way("a held mass", "loaded", {LOAD + "mass": "none", LOAD + "kn_m": 150.0}, "lift_mass")
-    yield Way("the lever of the whole thickness", "loaded", {LOAD + "d_m": 0.45, LOAD + "kn_m": 150.0}, "lift_lever")
+    yield Way("the lever of the whole thickness", "loaded", {LOAD + "d_m": 0.45, LOAD + "kn_m": 150.0}, "unasked_range")
     for change, told in (
         ({"elongation_m": 0.9}, "elongation_m"),
         ({"slack_mm": 40.0, "elongation_m": 0.9}, "slack_mm"),
@@ -270,7 +271,7 @@ def _ways_past_a_row():
     heavy = [{"plane": "section", "to_m": 5.0, "unit_weight_kn_m3": 40.0, "polygon_m": inside}]
     pushed = bare | {WALL + "thickness_m": 0.65, WALL + "length_m": 5.0, WALL + "unit_weight_kn_m3": 40.0}
     pushed |= {WALL + "load": [{"kind": "thrust", "kn_m": 4.0, "h_m": 5.0}], WALL + "solid": heavy, "demand.ag_g": 0.06}
-    yield Way("the weight of the wall once more in its solid", "facade", pushed, "unit_weight_kn_m3")
+    yield Way("the weight of the wall once more in its solid", "facade", pushed, "unit_weight_kn_m3 unasked_range")
     step = {WALL + "height_m": 9.0, WALL + "thickness_m": 0.65, WALL + "length_m": 5.0, "demand.ag_g": 0.08}
     step |= {WALL + "steps": [{"from_z_m": 6.0, "thickness_m": 0.25, "flush": "outer"}], WALL + "hinge_heights": "base"}
     storeys = {"building": {"height_m": 9.0, "storeys": 3, "period_s": 0.26}}

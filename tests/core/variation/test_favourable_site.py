@@ -185,6 +185,22 @@ def buildings(row, scene):
 
 
 @pytest.mark.shows("lifts.building")
+@pytest.mark.parametrize(("over", "said"), [(1.0, False), (1.009, False), (1.011, True), (2.0, True), (0.5, True)])
+def test_that_a_period_that_is_given_is_shown_with_that_of_the_formula(over, said):
+    """T = 0.05 H^0.75; one within a hundredth of it is it."""
+    rows, scene = of_building(BUILDING | {"period_s": over * ESTIMATED})
+    assert ("period_s" in rows) == said
+    if said:
+        assert [one.period_s for one in buildings(rows["period_s"], scene)] == pytest.approx([ESTIMATED])
+    modes = [{**MODES[0], "period_s": over * ESTIMATED}, {**MODES[1], "period_s": 0.4 * over * ESTIMATED}]
+    by_modes, scene = of_building({"height_m": 9.0, "storeys": 3, "modes": modes})
+    assert ("period_s" in by_modes) == said
+    if said:
+        (there,) = buildings(by_modes["period_s"], scene)
+        assert [mode.period_s / ESTIMATED for mode in there.modes] == pytest.approx([1.0, 0.4])
+
+
+@pytest.mark.shows("lifts.building")
 @pytest.mark.parametrize(
     "given, state, ends, source",
     [

@@ -343,6 +343,28 @@ def test_that_a_modulus_beyond_that_of_its_masonry_is_shown_with_the_lowest(modu
     assert "lift_modulus" not in rows_of(WALL | {"elastic_modulus_mpa": modulus})[0]
 
 
+@pytest.mark.shows("lifts.weights")
+@pytest.mark.parametrize(
+    "given, masonry, ends",
+    [
+        (12.9, "regular_soft_stone", (13.0, 16.0)),
+        (16.1, "regular_soft_stone", (13.0, 16.0)),
+        (14.0, "regular_soft_stone", ()),
+        (40.0, "solid_brick", (18.0,)),
+        (18.0, "solid_brick", ()),
+        (22.1, None, (13.0, 22.0)),
+    ],
+)
+def test_that_a_unit_weight_that_its_masonry_has_not_is_shown_at_the_ends_of_the_table(given, masonry, ends):
+    wall = BARE | {"load": [WEIGHT], "unit_weight_kn_m3": given, "masonry": masonry}
+    rows, scene = rows_of(wall)
+    assert ("lift_unit_weight" in rows) == bool(ends)
+    if ends:
+        row = rows["lift_unit_weight"]
+        assert tuple(wall_at(row, scene, k).unit_weight_kn_m3 for k in range(len(ends))) == ends
+    assert "lift_unit_weight" not in rows_of(WALL | {"unit_weight_kn_m3": given})[0]
+
+
 # the shape
 
 

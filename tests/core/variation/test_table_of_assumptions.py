@@ -352,8 +352,8 @@ def test_that_another_spectrum_than_the_code_s_is_shown_with_the_code_s_where_th
     (tmp_path / "soft.txt").write_text("0 0.2\n0.1 0.3\n0.2 0.3\n0.5 0.1\n4 0.02\n")
     case = parse_case({"wall": [WALL], "demand": life | {"spectrum_file": "soft.txt"}})
     row = rows_of(run(case, base_dir=tmp_path))["spectrum"]
-    rock = said_of(found_of(WALL, life | {"spectrum": NTC | {"soil": "A"}}))[1]
-    assert row["zeta"] == pytest.approx(rock, rel=1e-3) and "soft.txt" in row["text_en"]
+    soils = [said_of(found_of(WALL, life | {"spectrum": NTC | {"soil": soil}}))[1] for soil in "ABCDE"]
+    assert row["zeta"] == pytest.approx(min(soils), rel=1e-3) and "soft.txt" in row["text_en"]
 
 
 def test_that_generated_motions_follow_the_spectrum_of_the_other_end():
