@@ -134,8 +134,10 @@ def _pushed(stretch: Wall) -> float:
 
 
 def _share(level: Hold, height: float, share: float, beside: float = 0.0) -> ShareOfHold:
+    inward = None if level.in_kn_m is None else share * level.in_kn_m
     stands = share * require_value(level.out_kn_m)
-    return ShareOfHold(level.kind, level.name, h_m=height, out_kn_m=stands, evidence=level.evidence, beside_kn_m=beside)
+    shared = ShareOfHold(level.kind, level.name, h_m=height, out_kn_m=stands, in_kn_m=inward, beside_kn_m=beside)
+    return replace(shared, evidence=level.evidence)
 
 
 def _outward_holds(wall: Wall) -> Iterator[Hold]:

@@ -114,6 +114,7 @@ class Hold:
     out_kn_m : what it stands outward, per metre of wall; of cross walls and buttresses per metre of height, across each
         end of the wall between them beside the friction of its thrust; of a tie its force at yield, in place of `bar`;
         without it a hold is contact
+    in_kn_m : what it stands inward, pressed by a wall that bends inward, beside out_kn_m; not compared without it
     spacing_m : clear distance L between two cross walls or buttresses, between which the wall spans; of a tie to be
         designed that of its bars along the wall
     tie_kn_m : yield force of the ties along the wall that its ends push against, per metre of its height
@@ -134,6 +135,7 @@ class Hold:
     from_m: float | None = number_key(0.0, 60.0, unit="m")
     to_m: float | None = number_key(0.0, 60.0, unit="m", exclusive=True)
     out_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
+    in_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
     spacing_m: float | None = number_key(0.3, 50.0, unit="m")
     tie_kn_m: float | None = number_key(0.0, 10000.0, unit="kN/m", exclusive=True)
     tie_bar_length_m: float | None = number_key(0.2, 300.0, unit="m")

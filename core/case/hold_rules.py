@@ -55,6 +55,8 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
         raise InputError("hold_reversed", place=here, key="to_m", found=hold.to_m, least=hold.from_m or 0.0)
     if hold.shows_strength and hold.evidence is not None and not hold.evidence.reference.strip():
         raise InputError("document_reference", place=here, key="reference", kind=hold.evidence.kind)
+    if hold.in_kn_m is not None and (hold.out_kn_m is None or not hold.has_height or hold.is_bar):
+        raise InputError("hold_inward", place=here, key="in_kn_m", out_kn_m=Key("out_kn_m"))
     check_tie(wall, hold, here)
     _check_height(wall, hold, here)
 

@@ -25,6 +25,9 @@ from core.wall.masonry import Masonry
 TOP, BASE, FOOT, ENDS = "top", "base", "foot", "ends"
 """What holds a wall: at its top, the joint at its base, a floor at its foot, its ends."""
 
+INWARD = "inward"
+"""Side to which a wall presses what holds it."""
+
 UNLIMITED = 1e9
 """Strength that no wall reaches [N/m]."""
 
@@ -86,6 +89,8 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
         return narrowed(lambda alpha: reaction(alpha) <= most, 0.0, alpha0, steps=BISECTIONS)[0]
 
     yield HoldLimit(TOP, strength, push_at(lambda alpha: force_on_top(sections, moving, alpha), strength), side)
+    if side == INWARD and (pressed := declared.inward) is not None:
+        yield HoldLimit(TOP, pressed, push_at(lambda alpha: force_on_top(sections, moving, alpha), pressed), side)
     if (foot := declared.foot_strength) is not None:
         yield HoldLimit(FOOT, foot, push_at(lambda alpha: reaction_of_foot(sections, moving, alpha), foot), side)
         return

@@ -55,7 +55,10 @@ def _holds_at(stretch: Wall, height: float | None) -> list[Hold]:
 
 
 def _replace_strength(stretch: Wall, hold: Hold, strength: float) -> Wall:
-    holds = (replace(own, out_kn_m=strength) if own.h_m == hold.h_m else own for own in stretch.hold)
+    """A stretch whose hold has this strength outward [kN/m], and inward in proportion."""
+    ratio = strength / require_value(hold.out_kn_m)
+    inward = None if hold.in_kn_m is None else ratio * hold.in_kn_m
+    holds = (replace(own, out_kn_m=strength, in_kn_m=inward) if own.h_m == hold.h_m else own for own in stretch.hold)
     return replace(stretch, hold=tuple(holds))
 
 

@@ -176,10 +176,8 @@ def measure_kinds(setting: WallContext) -> Iterator[MeasureKind]:
             yield MeasureKind("measure_ties", lambda force: add_ties(wall, force, floors), *forces, floors)
     if any(load.is_thrust and (load.kn_m or 0.0) > 0.0 for load in wall.load):
         yield MeasureKind("measure_thrust", lambda share: scale_thrusts(wall, share), 0.95, 0.05, 0.05)
-    if height is not None and wall.kinematics.both_ways and not wall.has_shape and not wall.load:
-        yield MeasureKind(
-            "measure_height", lambda lower: replace(wall, height_m=lower), 0.98 * height, 0.3 * height, 0.05
-        )
+    if height is not None and wall.kinematics.both_ways and not wall.has_shape:
+        yield MeasureKind("measure_height", lambda lower: lower_top(wall, lower), 0.98 * height, 0.3 * height, 0.05)
     if thickness is not None and not wall.solid and wall.out_of_plumb_m is None:
         sizes = 1.02 * thickness, 2.0 * thickness, 0.01
         yield MeasureKind("measure_thickness", lambda more: rescale_thickness(wall, more), *sizes)
@@ -215,3 +213,9 @@ def scale_thrusts(wall: Wall, share: float) -> Wall:
         for load in wall.load
     )
     return replace(wall, load=tuple(loads))
+
+
+def lower_top(wall: Wall, height: float) -> Wall:
+    """The wall with another height [m], what stands on its top on that."""
+    loads = (replace(load, h_m=height) if load.h_m == wall.height_m else load for load in wall.load)
+    return replace(wall, height_m=height, load=tuple(loads))

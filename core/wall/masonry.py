@@ -85,6 +85,7 @@ class Declared:
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
     unloaded : that nothing rests on it
     strength : of what holds its top [N/m]; beside : weight whose inertia that takes beside the wall's own [N/m]
+    inward : strength of what holds its top against a motion inward [N/m]; None where it is not compared
     foot_strength : of what holds its base across [N/m]; None of one that rests on the friction of its bed joint
     """
 
@@ -95,6 +96,7 @@ class Declared:
     strength: float | None = None
     beside: float = 0.0
     foot_strength: float | None = None
+    inward: float | None = None
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from core.case.reader import case_of_text
 from core.case.rules import parse_case
 from core.codes.kinematic import Check
 from core.codes.vertical_bending import lowest_hinge
+from core.errors import InputError
 from core.mechanism.bending_reactions import MovingStrip
 from core.mechanism.holds import BASE, ENDS, TOP, limit_of_ends, limits_of_bending, reaction_of_top
 from core.mechanism.sections import Sections
@@ -190,3 +191,38 @@ def test_that_a_hold_that_stands_never_covers_a_wall_that_falls(first, hold, dec
     checks = [Check(name, "", "", 1.0, 1.0, *said) for name, said in (("nonlinear", first), ("hold", hold))]
     evaluation = Evaluation(None, None, None, (checks[0],))
     assert _place_hold(evaluation, checks[1])[0].name == decides
+
+
+HELD = {"name": "h", "height_m": 3.0, "thickness_m": 0.3, "base_z_m": 0.0, "unit_weight_kn_m3": 18.0}
+HELD |= {"mechanism": "vertical_bending"}
+ON_TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.10, "h_m": 3.0, "mass": "none"}
+
+
+def held_by(ag=0.3, **strengths):
+    """The check of the holds of a wall held at its top, its load near the outer face, and its reactions."""
+    hold = {"kind": "floor", "h_m": 3.0, "evidence": {"kind": "test", "reference": "PT-04"}} | strengths
+    hold = {key: value for key, value in hold.items() if value is not None}
+    demand = {"ag_g": ag, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
+    table = {"wall": [HELD | {"load": [ON_TOP], "hold": [hold]}], "demand": demand}
+    table |= {"analysis": {"histories": False}, "building": {"height_m": 6.0, "storeys": 2}}
+    (wall,) = run(parse_case(table), base_dir=ROOT).walls
+    return next(check for check in wall.assessment.checks if check.name == "hold"), wall.assessment.reactions
+
+
+@pytest.mark.shows("held.reaction")
+def test_that_what_a_hold_stands_inward_is_compared_with_what_the_wall_presses_on_it():
+    """Without it nothing is compared; a hold that is strong outward and weak inward gives way as the wall bends in."""
+    bare, reactions = held_by(out_kn_m=40.0)
+    strong, _ = held_by(out_kn_m=40.0, in_kn_m=40.0)
+    assert strong == bare
+    inward = next(one for one in reactions if (one.hold, one.direction) == (TOP, "inward"))
+    half = 0.5e-3 * inward.at_demand
+    weak, (first, *_) = held_by(out_kn_m=40.0, in_kn_m=half)
+    assert (first.hold, first.direction, first.stands) == (TOP, "inward", pytest.approx(1e3 * half))
+    assert weak.zeta < 1.0 < bare.zeta and not weak.passed and weak.capacity == pytest.approx(half)
+    zetas = [held_by(out_kn_m=40.0, in_kn_m=share * half)[0].zeta for share in (0.5, 1.0, 1.5, 4.0)]
+    assert zetas == sorted(zetas)
+    for other in ({"kind": "contact", "h_m": None, "to_m": 3.0}, {"out_kn_m": None}):
+        with pytest.raises(InputError) as refused:
+            held_by(**({"out_kn_m": 40.0, "in_kn_m": 5.0} | other))
+        assert refused.value.code in ("hold_inward", "hold_key")
