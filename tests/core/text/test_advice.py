@@ -135,6 +135,7 @@ CONDITION = {
     "modes_or_period": "state their period",
     "no_check": "for an element free to vibrate",
     "restitution_one_sided": "is for",
+    "hold_inward": "is compared of a floor",
     "measure_tie": "makes it pass",
     "no_measure": "makes it pass",
     "two_sided_loads_rigid": "assume a restraint behind",
