@@ -362,7 +362,17 @@ def check_around_demand(
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DynamicCheck | None:
     """Whether the dynamic check may pass, by a few analyses around what is required: zeta is not searched, and stands
-    for what is required where the rule holds, 0 where not. The parameters are those of `run_dynamic_check`."""
+    for what is required where the rule holds, 0 where not.
+
+    model : of the wall
+    motions : the records
+    polarities : signs each is taken with
+    demand : what is required
+    method : how the motion is integrated
+    every, other : not asked for
+    cancelled : asked between two chunks of analyses
+    Raises Cancelled.
+    """
     if not motions or demand.limit_state not in LIMIT_FRACTION:
         return None
     work = DemandRuns(model, motions, polarities, demand, demand.confidence_on, method, cancelled)

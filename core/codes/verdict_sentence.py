@@ -129,7 +129,8 @@ def outcome(
     wall : what is declared of it, and what it carries
     permitted : defaults that a clause permits, and whose other ends turn the outcome
     shown : inputs whose other ends would turn it, but for the document that shows them
-    histories_off : none were to be made; zeta_beside : of those that decide nothing
+    histories_off : none were to be made
+    zeta_beside : of those that decide nothing
     """
     target, way = demand.zeta_target, code
     if code == "not_activated" and wall.above_ground:

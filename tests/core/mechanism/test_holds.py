@@ -193,8 +193,8 @@ def test_that_a_hold_that_stands_never_covers_a_wall_that_falls(first, hold, dec
     assert _place_hold(evaluation, checks[1])[0].name == decides
 
 
-HELD = {"name": "h", "height_m": 3.0, "thickness_m": 0.3, "base_z_m": 0.0, "unit_weight_kn_m3": 18.0}
-HELD |= {"mechanism": "vertical_bending"}
+LOADED_HELD = {"name": "h", "height_m": 3.0, "thickness_m": 0.3, "base_z_m": 0.0, "unit_weight_kn_m3": 18.0}
+LOADED_HELD |= {"mechanism": "vertical_bending"}
 ON_TOP = {"kind": "vertical", "kn_m": 10.0, "d_m": 0.10, "h_m": 3.0, "mass": "none"}
 
 
@@ -203,7 +203,7 @@ def held_by(ag=0.3, **strengths):
     hold = {"kind": "floor", "h_m": 3.0, "evidence": {"kind": "test", "reference": "PT-04"}} | strengths
     hold = {key: value for key, value in hold.items() if value is not None}
     demand = {"ag_g": ag, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
-    table = {"wall": [HELD | {"load": [ON_TOP], "hold": [hold]}], "demand": demand}
+    table = {"wall": [LOADED_HELD | {"load": [ON_TOP], "hold": [hold]}], "demand": demand}
     table |= {"analysis": {"histories": False}, "building": {"height_m": 6.0, "storeys": 2}}
     (wall,) = run(parse_case(table), base_dir=ROOT).walls
     return next(check for check in wall.assessment.checks if check.name == "hold"), wall.assessment.reactions
