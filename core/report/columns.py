@@ -120,8 +120,9 @@ def _of(source: Callable[[Row], Any], name: str) -> Callable[[Row], Any]:
 
 
 def _tie(row: Row) -> float | None:
-    tie = row.wall.assessment.tie if row.wall.assessment else None
-    return None if tie is None or tie.force is None else 1e-3 * tie.force
+    if row.verdict is None or row.verdict.wall.sought is None:
+        return None
+    return next((measure.size for measure in row.verdict.measures or () if measure.is_single_tie), None)
 
 
 SIZE_KEYS = ("slenderness_deg", "radius_m", "frequency_parameter_rad_s", "threshold_acceleration_g")

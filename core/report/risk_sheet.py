@@ -1,9 +1,8 @@
-"""The sheet Risk: every wall with what it withstands, the lowest first; limit states, ties, variants."""
+"""The sheet Risk: every wall with what it withstands, the lowest first; limit states, variants."""
 
 from core.codes.outcomes import min_if_all_known
 from core.known import require_value
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
-from core.report.tie_words import tie_words
 from core.report.verdict_words import outcome_of, sort_results
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
@@ -11,7 +10,6 @@ from core.study.wall_verdict import counted_walls
 from core.text.sentence import word
 from core.units import G
 from core.variation.limit_states import LIMIT_STATES
-from core.variation.tie_design import FORCE_NAMES
 
 LAST_COLUMN = 11
 
@@ -19,9 +17,7 @@ LAST_COLUMN = 11
 def has_risk(result: StudyResult) -> bool:
     """Whether a wall has a zeta, and something beside it that the Summary does not show."""
     assessments = [wall.assessment for wall in result.walls if wall.assessment]
-    beside = any(assessment.states or assessment.tie for assessment in assessments) or bool(
-        compare_walls(result.verdicts)
-    )
+    beside = any(assessment.states for assessment in assessments) or bool(compare_walls(result.verdicts))
     return beside and any(assessment.risk for assessment in assessments)
 
 
@@ -43,7 +39,6 @@ def risk(book: Book, result: StudyResult) -> None:
         color=QUIET,
     )
     row = _walls(book, sheet, result, row + 1)
-    row = _ties(book, sheet, result, row + 1)
     row = _variants(book, sheet, result, row + 1)
     sheet.freeze_panes = "B4"
 
@@ -113,32 +108,6 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
     zetas = {one.state: one.zeta for one in assessment.states}
     for column, state in enumerate(LIMIT_STATES, start=9):
         number(sheet, row, column, zetas.get(state), RATIO)
-
-
-def _ties(book: Book, sheet, result: StudyResult, row: int) -> int:
-    """The force of each tie asked for, by every check, and what it does to its bar."""
-    say = book.say
-    designed = [wall for wall in result.walls if wall.assessment and wall.required_assessment.tie]
-    if not designed:
-        return row
-    title(sheet, row, say("Tie for the ζ required"), 12)
-    shown = [name for name in FORCE_NAMES if name != "linear_q_slv"]  # no force raises that check
-    heads = [word(f"tie_{name}", book.language) for name in shown]
-    header(sheet, row + 1, [say("Wall"), "h [m]", *heads, say("named"), say("ultimate [mm]")], 1, 45)
-    row += 1
-    for wall in designed:
-        tie = require_value(wall.required_assessment.tie)
-        row += 1
-        text(sheet, row, 1, wall.name, wrap=True)
-        number(sheet, row, 2, tie.height, RATIO)
-        for column, name in enumerate(shown, start=3):
-            force = tie.forces[name]
-            number(sheet, row, column, None if force is None else 1e-3 * force, RATIO)
-        number(sheet, row, 8, None if tie.force is None else 1e-3 * tie.force, RATIO, bold=True)
-        number(sheet, row, 9, None if tie.stands is None else 1e3 * tie.stands, "0")
-        rule(sheet, row, 1, 9)
-        row = paragraph(sheet, row + 1, tie_words(say, wall, book.language), LAST_COLUMN, 150, color=QUIET) - 1
-    return row + 1
 
 
 def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:

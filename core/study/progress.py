@@ -34,9 +34,9 @@ CHECK_COST = 12.0
 """Cost of the checks of a wall at the demand and of their table of assumptions over the bisections of its runs: 6 to 14
 measured (30 walls, the shipped cases)."""
 
-FLOOR_COST, TIE_COST, STATEMENT_COST, SENSITIVITY_COST = 2.0, 0.1, 20.0, 0.4
-"""A wall above the ground is checked for another building and height too; a tie is found by bisection of checks that
-are mostly known, the moves of the inputs are coarse ones; the accuracy statement makes as many searches of one run."""
+FLOOR_COST, STATEMENT_COST, SENSITIVITY_COST = 2.0, 20.0, 0.4
+"""A wall above the ground is checked for another building and height too; the moves of the inputs are coarse ones; the
+accuracy statement makes as many searches of one run."""
 
 
 def run_cost(motion: GroundMotion, search: Search) -> float:
@@ -60,8 +60,6 @@ def task_costs(plan: Plan) -> dict[Any, float]:
     for k, entry in enumerate(plan.entries):
         if plan.demand:
             costs["check", k] = check_cost(entry.felt, len(entry.signs), entry.floor is not None)
-            if entry.part.wall.sought is not None:
-                costs["tie", k] = TIE_COST * costs["check", k]
             if plan.case.sensitivity:
                 cost = SENSITIVITY_COST * costs["check", k]
                 costs["sensitivity", entry.part.origin] = costs.get(("sensitivity", entry.part.origin), 0.0) + cost

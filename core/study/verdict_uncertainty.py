@@ -73,7 +73,8 @@ def add_measures(
         return verdict
     kept = CheckCache(journal) if journal else run_dynamic_check
     setting = make_wall_context(plan.case, worst.part.origin, base_dir, (demand, plan.motions, plan.kinds), kept)
-    found = yield Batch({"measures": functools.partial(find_measures, setting)})
+    sought = plan.case.wall[worst.part.origin].sought
+    found = yield Batch({"measures": functools.partial(find_measures, setting, sought=sought)})
     return replace(verdict, measures=found["measures"])
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from core.capacity.accuracy import Accuracy, make_accuracy
 from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
+from core.case.hold import Hold
 from core.codes.demand import SeismicDemand
 from core.codes.record_compatibility import Compliance
 from core.rocking.history import uses_lanes
@@ -21,12 +22,11 @@ from core.study.variants import flag_missing_variant
 from core.study.verdict_uncertainty import add_measures, add_uncertainty
 from core.study.wall_result import run_result, wall_result
 from core.study.wall_verdict import wall_verdicts
-from core.text.sentence import sentence
+from core.text.sentence import Number, sentence
 from core.threads import Batch, Work
 from core.variation.assessment import assess
 from core.variation.limit_states import check_limit_states
 from core.variation.measures import Measure
-from core.variation.tie_design import Hinge, design_tie
 
 MIN_TASKS, MAX_SAMPLES = 8, 40_000
 """Least tasks for a thread where runs of a wall are searched side by side; most samples of them, for a quick cancel."""
@@ -109,7 +109,6 @@ class _Wall:
         if given.demand:
             yield from self._assessed(given.demand)
             yield from self._at_limit_states(given.demand)
-            yield from self._with_tie(given.demand)
             self.results = {k: flag_missing_variant(one, plan.variants) for k, one in self.results.items()}
         if plan.case.analysis.accuracy:
             yield from self._with_accuracy()
@@ -118,9 +117,10 @@ class _Wall:
         if given.demand and verdicts and plan.longest is None:  # of a group of walls the rows alone are kept
             beside = plan, given.base_dir, given.demand, given.ag, results, verdicts[0], given.journal, given.progress
             verdicts = ((yield from add_uncertainty(*beside)),)
-        if given.measures and given.demand and verdicts:
+        sought = plan.case.wall[results[0].part.origin].sought if results else None
+        if (given.measures or sought) and given.demand and verdicts:
             verdict = yield from add_measures(plan, given.base_dir, given.demand, results, verdicts[0], given.journal)
-            results[verdict.governing] = advise(results[verdict.governing], verdict.measures)
+            results[verdict.governing] = advise(results[verdict.governing], verdict.measures, sought)
             verdicts = (verdict,)
         return results, verdicts
 
@@ -198,28 +198,6 @@ class _Wall:
         for k, state_zetas in states.items():
             self._add(k, states=state_zetas)
 
-    def _with_tie(self, demand: SeismicDemand) -> Work:
-        """The design of its tie, where one is asked for; a wall one of whose hinges has no check has none."""
-        given = self.given
-        counted = [k for k, entry in self.entries.items() if entry.part.wall.sought is not None]
-        asked = next(iter(self.entries.values())).part.asked
-        group = {k: wall for k, wall in self.results.items() if wall.kinematics.one_way}
-        whole = asked.sought is not None and all(wall.required_assessment.kinematic for wall in group.values())
-        if not whole:
-            for k in counted:
-                given.progress.done(("tie", k), False)
-            return
-        hinges = []
-        for k, wall in group.items():
-            hinges.append(Hinge(wall.part.hinge, self._scene(k, demand), wall.required_assessment.dynamic))
-
-        def told(_, __) -> None:
-            for k in counted:
-                given.progress.done(("tie", k), k in group)
-
-        designs = yield Batch({"tie": lambda stop: design_tie(hinges, asked, stop)}, told)
-        self._add(next(iter(group)), tie=designs["tie"])
-
     def _with_accuracy(self) -> Work:
         """Make the accuracy statement on the governing run."""
         given, plan = self.given, self.given.plan
@@ -240,12 +218,15 @@ class _Wall:
         self.results[k] = replace(wall, assessment=replace(wall.required_assessment, **parts))
 
 
-def advise(wall: WallResult, measures: tuple[Measure, ...] | None) -> WallResult:
-    """The result that decides about a wall with what is to be done about it. measures : of a wall that fails"""
+def advise(wall: WallResult, measures: tuple[Measure, ...] | None, sought: Hold | None) -> WallResult:
+    """The result that decides about a wall with what is to be done about it. measures : of a wall that fails; sought :
+    the tie that was to be designed"""
     if measures is None:
         return wall
     found = wall.required_assessment
     to_do = tuple(measure.words for measure in measures) or (sentence("reason", "no_measure"),)
+    if sought and not any(measure.is_single_tie for measure in measures):
+        to_do = (sentence("reason", "no_tie_there", height=Number(sought.h_m, ".4g")), *to_do)
     return replace(wall, assessment=replace(found, verdict=replace(found.verdict, to_do=to_do)))
 
 

@@ -27,7 +27,6 @@ from core.variation.assumptions import evaluate_assumptions
 from core.variation.changes import rescale_thickness
 from core.variation.evaluate import Evaluation, Reaction, check_by_histories, evaluate, find_reactions
 from core.variation.second_level import UnaskedRange, find_unasked_range
-from core.variation.tie_design import TieDesign
 from core.wall.arch import Arch
 
 TRIAL_THICKNESS_FACTORS = (1.05, 1.1, 1.2, 1.3)
@@ -72,7 +71,6 @@ class Assessment:
     unasked : the range of zeta over what no clause asks about, None where nothing moves it
     code_over_records : of `Floor.code_over_records`
     risk : of the check that decides, None where it has no zeta
-    tie : the force that brings zeta to what is required, where one is asked for
     states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
     reactions : of what holds a wall that bends, where its strength is known
     """
@@ -85,7 +83,6 @@ class Assessment:
     unasked: UnaskedRange | None = None
     code_over_records: float | None = None
     risk: Risk | None = None
-    tie: TieDesign | None = None
     states: tuple[LimitStateCheck, ...] = ()
     bound_passes: bool | None = None
     reactions: tuple[Reaction, ...] = ()

@@ -20,7 +20,7 @@ from core.known import require_value
 from core.setting.plan import FloorCache
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.changes import rescale_thickness
-from core.variation.wall_evaluation import WallContext, WallEvaluation, evaluate_wall, replace_wall
+from core.variation.wall_evaluation import NO_EVALUATION, WallContext, WallEvaluation, evaluate_wall, replace_wall
 from core.wall.ties import bars_for
 
 MOST = 3
@@ -32,6 +32,9 @@ BAR_LENGTH, STRAIN, SPACING = 8.0, 0.03, 2.0
 
 GROWTH, MIN_SIZES = 1.5, 8
 """Factor between two sizes that are tried by the clauses, and least number of them."""
+
+BETWEEN = 8
+"""Steps between two sizes of which one lets the wall move in another way."""
 
 MORE, TRIES = 1.15, 8
 """Factor by which a size grows where histories ask for more, and how many sizes are looked at with them."""
@@ -55,6 +58,9 @@ NEAR_TOP, LOWEST_TIE = 0.95, 0.6
 SHOWN = Document("calculation", "-")
 """What a floor that is proposed is held by: its connection is to be designed."""
 
+PROPOSED = Hold(TIE, bar_length_m=BAR_LENGTH, elongation_m=STRAIN * BAR_LENGTH, evidence=SHOWN)
+"""A tie that is proposed, without its force and its height."""
+
 
 class MeasureKind(NamedTuple):
     """A kind of measure.
@@ -63,7 +69,7 @@ class MeasureKind(NamedTuple):
     change : the wall with a measure of a size
     least, most : size that changes the wall the least, and the one that changes it most, of those that are tried
     step : last digit of the size
-    heights : at which it acts [m]
+    heights : at which it acts [m]; spacing : of its bars [m]
     """
 
     code: str
@@ -72,6 +78,7 @@ class MeasureKind(NamedTuple):
     most: float
     step: float
     heights: tuple[float, ...] = ()
+    spacing: float = SPACING
 
     @property
     def rises(self) -> bool:
@@ -83,7 +90,7 @@ class MeasureKind(NamedTuple):
         """Sizes that are tried, the least first: a strong tie may let a wall bend that a weaker one held as one
         block."""
         steps = max(MIN_SIZES, math.ceil(abs(math.log(self.most / self.least)) / math.log(GROWTH)))
-        return [self.least * (self.most / self.least) ** (k / steps) for k in range(steps + 1)]
+        return spread(self.least, self.most, steps)
 
     def rounded(self, size: float) -> float:
         """A size with its last digit, to the side that is more."""
@@ -93,17 +100,23 @@ class MeasureKind(NamedTuple):
 @dataclass(frozen=True)
 class Measure:
     """A measure that makes a wall pass. size : force [kN/m], thickness or height [m], share of a thrust [-]; zeta : of
-    the wall with it; heights : at which it acts [m]"""
+    the wall with it; heights : at which it acts [m]; spacing : of its bars along the wall [m]"""
 
     code: str
     size: float
     zeta: float | None
     heights: tuple[float, ...] = ()
+    spacing: float = SPACING
 
     @property
     def bar(self) -> tuple[int | None, int | None]:
-        """(diameter, thread) of the bars of a tie [mm], SPACING apart; None where none holds it."""
-        return bars_for(1e3 * self.size, SPACING) if self.code in OF_FORCE else (None, None)
+        """(diameter, thread) of the bars of a tie [mm]; None where none holds it."""
+        return bars_for(1e3 * self.size, self.spacing) if self.code in OF_FORCE else (None, None)
+
+    @property
+    def is_single_tie(self) -> bool:
+        """Whether it is a tie at one height."""
+        return self.code == "measure_tie"
 
     @property
     def words(self) -> Sentence:
@@ -111,16 +124,19 @@ class Measure:
         diameter, thread = self.bar
         bars = sentence("added", "nothing")
         if diameter is not None:
-            bars = sentence("added", "bars", diameter=diameter, thread=thread, spacing=SPACING)
+            bars = sentence("added", "bars", diameter=diameter, thread=thread, spacing=self.spacing)
         heights = tuple(Number(height, ".4g") for height in self.heights)
         values = {"size": Number(self.size, ".4g"), "zeta": Number(self.zeta), "heights": heights, "bars": bars}
         return sentence("reason", self.code, **values)
 
 
-def find_measures(setting: WallContext, cancelled: Callable[[], bool] = lambda: False) -> tuple[Measure, ...]:
-    """Measures that make the wall of a setting pass, MOST of them at the most. Raises Cancelled."""
+def find_measures(
+    setting: WallContext, cancelled: Callable[[], bool] = lambda: False, sought: Hold | None = None
+) -> tuple[Measure, ...]:
+    """Measures that make the wall of a setting pass, MOST of them at the most. sought : the tie that is to be designed,
+    which says where one goes and with what bar. Raises Cancelled."""
     found: list[Measure] = []
-    for kind in measure_kinds(setting):
+    for kind in measure_kinds(setting, sought):
         if len(found) == MOST:
             break
         if found and kind.code in INSTEAD:
@@ -142,34 +158,61 @@ def find_measure(setting: WallContext, kind: MeasureKind, cancelled: Callable[[]
         except InputError:
             return None
 
-    def holds(size: float) -> bool:
-        evaluated = there(size, inputs=(setting.demand, [], []))
-        return evaluated is not None and evaluated.sure
+    def by_clauses(size: float) -> WallEvaluation:
+        return there(size, inputs=(setting.demand, [], [])) or NO_EVALUATION
 
-    passing = next((size for size in kind.sizes if holds(size)), None)
-    if passing is None:
+    def holds(size: float) -> bool:
+        return by_clauses(size).sure
+
+    size, before = find_first(by_clauses, kind.sizes)
+    if size is None:
         return None
-    before = kind.sizes[kind.sizes.index(passing) - 1] if passing != kind.least else None
-    size = passing if before is None else narrowed(holds, passing, before, CLOSE).good
+    if before is not None:
+        size = narrowed(holds, size, before, CLOSE).good
     for _ in range(TRIES):
         size = kind.rounded(size)
         near = there(size, histories=check_around_demand) if holds(size) else None
         evaluated = there(size) if near is not None and near.sure else None
         if evaluated is not None and evaluated.sure:
-            return Measure(kind.code, size, evaluated.zeta, kind.heights)
+            return Measure(kind.code, size, evaluated.zeta, kind.heights, kind.spacing)
         size = size * MORE if kind.rises else size / MORE
     return None
 
 
-def measure_kinds(setting: WallContext) -> Iterator[MeasureKind]:
-    """Kinds of measures that a wall may have, those that leave it most as it is first."""
+def spread(least: float, most: float, steps: int) -> list[float]:
+    """Sizes from one to another, of equal ratios."""
+    return [least * (most / least) ** (k / steps) for k in range(steps + 1)]
+
+
+def find_first(evaluate: Callable[[float], WallEvaluation], sizes: list[float]) -> tuple[float | None, float | None]:
+    """(the least of some sizes with which a wall passes, the one tried before it); None where there is none. Between
+    two of them of which one lets the wall move in another way some more are tried: what passes may be narrow."""
+    before, number = None, None
+    for size in sizes:
+        evaluated = evaluate(size)
+        if before is not None and number != len(evaluated.hinges):
+            for inside in spread(before, size, BETWEEN)[1:-1]:
+                if evaluate(inside).sure:
+                    return inside, before
+                before = inside
+        if evaluated.sure:
+            return size, before
+        before, number = size, len(evaluated.hinges)
+    return None, None
+
+
+def measure_kinds(setting: WallContext, sought: Hold | None = None) -> Iterator[MeasureKind]:
+    """Kinds of measures that a wall may have, those that leave it most as it is first. sought : as `find_measures`
+    takes it"""
     wall = setting.case.wall[0]
     height, thickness = wall.height_m, wall.thickness
     forces = LEAST_FORCE, MOST_FORCE, 0.1
     if height is not None and wall.leans and wall.corner is None and not wall.bends:
         floors = find_floors(setting)
         top = max((floor for floor in floors if floor >= LOWEST_TIE * height), default=NEAR_TOP * height)
-        yield MeasureKind("measure_tie", lambda force: add_ties(wall, force, (top,)), *forces, (top,))
+        tie, spacing = (PROPOSED, SPACING) if sought is None else describe_tie(sought)
+        top = top if sought is None else require_value(sought.h_m)
+        yield MeasureKind("measure_tie", lambda force: add_ties(wall, force, (top,), tie), *forces, (top,), spacing)
         if floors:
             yield MeasureKind("measure_hold", lambda force: hold_floors(wall, force, floors), *forces, floors)
         if len(floors) > 1:
@@ -193,10 +236,19 @@ def find_floors(setting: WallContext) -> tuple[float, ...]:
     return tuple(sorted(by_hold or by_load or by_storey))
 
 
-def add_ties(wall: Wall, force: float, heights: tuple[float, ...]) -> Wall:
-    """The wall with one more tie at each of these heights [m]. force : of each at yield [kN/m]"""
-    tie = Hold(TIE, out_kn_m=force, bar_length_m=BAR_LENGTH, elongation_m=STRAIN * BAR_LENGTH, evidence=SHOWN)
-    return replace(wall, hold=(*wall.hold, *(replace(tie, h_m=height) for height in heights)))
+def describe_tie(sought: Hold) -> tuple[Hold, float]:
+    """(the tie that is sought as one that is there, of a bar that is proposed where it has none; spacing of its bars
+    [m])."""
+    length, elongation = sought.bar_length_m or BAR_LENGTH, sought.elongation_m
+    if sought.bar_length_m is None:
+        elongation = STRAIN * BAR_LENGTH
+    tie = replace(PROPOSED, bar_length_m=length, elongation_m=elongation, evidence=sought.evidence or SHOWN)
+    return tie, sought.spacing_m or SPACING
+
+
+def add_ties(wall: Wall, force: float, heights: tuple[float, ...], tie: Hold = PROPOSED) -> Wall:
+    """The wall with one more tie at each of these heights [m]. force : of each at yield [kN/m]; tie : its bar"""
+    return replace(wall, hold=(*wall.hold, *(replace(tie, out_kn_m=force, h_m=height) for height in heights)))
 
 
 def hold_floors(wall: Wall, force: float, heights: tuple[float, ...]) -> Wall:

@@ -326,7 +326,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
         if steps:
             parts += [Heading(say(title), 3), *_in_runs(steps)]
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
-    drawn += [wall_figures.forces_of_ties(result, wall, words), wall_figures.tie_heights(wall, words)]
+    drawn += [wall_figures.forces_of_ties(result, wall, words)]
     parts += _side_by_side([] if short else drawn)
     tabled = assumption_table.tabled(wall, language)
     rest = [

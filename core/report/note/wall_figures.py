@@ -239,21 +239,6 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
     return Figure(caption, curves, "t [s]", "F [kN/m]", (0.0, last), (-0.1 * high, high))
 
 
-def tie_heights(wall: WallResult, words: Words) -> Figure | None:
-    """Force the displacement check asks of a tie, by its height; None where no tie is designed or none does it."""
-    tie = wall.required_assessment.tie
-    asked = [(h, 1e-3 * force) for h, force in tie.curve if force is not None] if tie else []
-    if tie is None or len(asked) < 2 or not any(force for _, force in asked):
-        return None
-    heights, forces = zip(*asked, strict=True)
-    curves = [Curve(words.say("displacement check"), heights, forces, "accent", width=1.4)]
-    if tie.force:
-        curves.append(Curve(words.say("tie to be designed"), (tie.height,), (1e-3 * tie.force,), "bad", "points"))
-    shown = min(1.1 * max(forces), 4.0 * min(forces))
-    caption = words.say("Force of a tie by its height above the base")
-    return Figure(caption, curves, "h [m]", "F [kN/m]", (0.95 * min(heights), 1.02 * max(heights)), (0.0, shown))
-
-
 def peaks(wall: WallResult, words: Words) -> Figure | None:
     """Largest rotation of each record at the demand; None without a dynamic check."""
     check = wall.required_assessment.dynamic

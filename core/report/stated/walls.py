@@ -176,43 +176,6 @@ TIE = (
 """Quantities read from (WallResult, Tie)."""
 
 
-def _kilo(force: float | None) -> float | None:
-    return None if force is None else 1e-3 * force
-
-
-TIE_DESIGN = (
-    number("height_m", "m", "height above the base", "height"),
-    untyped_quantity(
-        "forces_kn_m",
-        "force that each check asks [kN/m]",
-        lambda tie: {name: _kilo(force) for name, force in tie.forces.items()},
-    ),
-    text("histories_missing", "why there is no force by the histories", "missing"),
-    number("force_kn_m", "kN/m", "the force named", lambda tie: _kilo(tie.force)),
-    number("asked_kn_m", "kN/m", "the largest asked", lambda tie: _kilo(tie.asked)),
-    number("at_least_kn_m", "kN/m", "the largest known, where one is not", lambda tie: _kilo(tie.at_least)),
-    text("check", "check that asks it"),
-    number("largest_kn_m", "kN/m", "up to which the wall is one block", lambda tie: _kilo(tie.largest)),
-    number("zeta_bending", "-", "lowest zeta as it bends below a tie beyond that, null of a weaker one", "bending"),
-    untyped_quantity("elongation_m", "of the bar with the force named [m]", "elongation"),
-    number("stands_m", "m", "elongation of the bar before it is gone", "stands"),
-    untyped_quantity("zeta", "zeta_E of each check with the force named"),
-    whole("hinges", "hinges below the tie"),
-    number("spacing_m", "m", "spacing of the bars", "spacing"),
-    whole("diameter_mm", "smallest diameter that holds it [mm]", "diameter"),
-    whole("thread_mm", "its thread [mm]", "thread"),
-    list_quantity(
-        "heights",
-        "the displacement check by the height of the tie",
-        (
-            number("height_m", "m", "height", lambda point: point[0]),
-            number("nonlinear_kn_m", "kN/m", "force", lambda point: _kilo(point[1])),
-        ),
-        "curve",
-    ),
-)
-"""Quantities read from TieDesign."""
-
 LIMIT_STATE = (
     text("limit_state", "limit state", "state"),
     number("return_period_years", "years", "its return period", "return_period"),
@@ -343,9 +306,6 @@ WALL = (
     ).optional(),
     list_quantity(
         "ties", "its ties", TIE, lambda of: [(of.wall, tie) for tie in of.wall.wall.in_si.ties] or None
-    ).optional(),
-    object_quantity(
-        "tie_design", "the tie asked for", TIE_DESIGN, lambda of: of.found.tie if of.found else None
     ).optional(),
     list_quantity(
         "limit_states", "the limit states", LIMIT_STATE, lambda of: (of.found.states or None) if of.found else None

@@ -142,7 +142,7 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
     )
     path = tmp_path / "case.journal"
     first = run(asked, base_dir=folder, journal=(path, False))
-    assert first.walls[0].assessment.tie and first.walls[1].floor
+    assert first.verdicts[0].wall.sought and first.walls[1].floor
     monkeypatch.setattr(dynamic_check, "scan_records", lambda *_: pytest.fail("checked again"))
     monkeypatch.setattr(wall_tasks, "incremental_dynamic_analyses", lambda *_: pytest.fail("run again"))
     told = []

@@ -23,7 +23,6 @@ from core.lab.solved.cases import SUBJECTS, cases_of
 from core.packages import PACKAGES
 from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
-from core.variation.tie_design import FORCE_NAMES as FORCES
 from tests.conftest import ROOT
 from tests.trees import nodes_of
 
@@ -198,7 +197,7 @@ def test_that_every_text_of_the_catalogue_is_used():
     sides |= {f"section_{entry.name}" for entry in fields(Case)}
     sides |= {f"work_{extra}" for extra in PACKAGES}
     sides |= {key for keys in ENTRIES.values() for key in keys}
-    sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")} | {f"tie_{name}" for name in FORCES}
+    sides |= {f"by_{label}" for label in (*CHECKS, "linear_sld")}
     sides |= {f"client_{code}" for code in OUTCOMES} | {
         f"evidence_{name}" for name in (*PRESENCE, *STRENGTH, *STATED, "unstated")
     }

@@ -6,13 +6,16 @@ from pathlib import Path
 import pytest
 
 from core.case import rules
+from core.case.reader import read_case
 from core.codes.outcomes import FAILS, OUTCOMES, PASSES
 from core.report import json_report
+from core.report.columns import columns_of
 from core.setting.plan import read_inputs
 from core.study.run import run
 from core.variation import measures
 from core.variation.measures import find_measure, find_measures, measure_kinds
 from core.variation.wall_evaluation import evaluate_wall, make_wall_context, replace_wall
+from tests.conftest import ROOT
 from tests.holds import behind
 
 NTC = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
@@ -95,3 +98,49 @@ def test_that_a_wall_that_nothing_makes_pass_says_so(sought):
     result = run(case_of(PARAPET | {"height_m": 6.0, "thickness_m": 0.1}, 1.5), base_dir=Path())
     assert result.verdicts[0].measures == ()
     assert [one.code for one in result.walls[0].assessment.verdict.to_do] == ["no_measure"]
+
+
+# a tie that is to be designed
+
+CHURCH = ROOT / "tests" / "validation" / "cases" / "church.toml"
+BAR = {"bar_length_m": 8.0, "elongation_m": 0.4, "spacing_m": 1.5}
+
+
+def church(height=None, **bar):
+    """The church facade by the clauses alone, with its tie to be designed at another height or of another bar."""
+    case = read_case(CHURCH)
+    (wall,) = case.wall
+    sought = replace(wall.sought, h_m=height or wall.sought.h_m, **bar)
+    wall = replace(wall, hold=(*wall.restraints, sought))
+    return replace(case, wall=(wall,), generate=None, analysis=replace(case.analysis, histories="none"))
+
+
+@pytest.mark.shows("ties.design")
+def test_that_a_tie_to_be_designed_has_the_force_that_the_hand_finds(sought):
+    """The displacement check of the facade asks for 15.58 kN/m: within the bracket of a size, and a digit more. 1.5 m
+    of it are 23.9 kN: 113 mm2 x 235 / 1.05 = 25.3 kN, its thread 115 mm2 x 0.9 x 360 / 1.25 = 29.9 kN."""
+    result = run(church(**BAR), base_dir=CHURCH.parent)
+    measure = result.verdicts[0].measures[0]
+    assert measure.is_single_tie and 15.58 <= measure.size <= 15.58 * 1.05 + 0.1 and measure.zeta >= 1.0
+    assert (measure.heights, measure.spacing, measure.bar) == ((10.2,), 1.5, (12, 14))
+    words = result.walls[0].assessment.verdict.to_do[0].text()
+    assert "10.2 m" in words and "every 1.5 m" in words
+    assert columns_of(result, [0])["tie_kn_m"] == [measure.size] * len(result.walls)
+
+
+@pytest.mark.shows("ties.design")
+def test_that_a_tie_that_no_force_makes_enough_is_named_with_what_does(sought):
+    """At mid-height the facade bends below any tie that holds it, and no modulus is known there; a bar that breaks as
+    it yields ends the displacement allowed."""
+    for height, bar in ((5.0, BAR), (10.2, {"bar_length_m": 8.0})):
+        result = run(church(height, **bar), base_dir=CHURCH.parent)
+        verdict = result.verdicts[0]
+        assert not any(measure.is_single_tie for measure in verdict.measures)
+        assert result.walls[0].assessment.verdict.to_do[0].code == "no_tie_there"
+
+
+def test_that_a_wall_that_passes_asks_for_no_tie(sought):
+    case = church(**BAR)
+    weak = replace(case, demand=replace(case.demand, ag_g=0.03))
+    verdict = run(weak, base_dir=CHURCH.parent).verdicts[0]
+    assert verdict.measures is None

@@ -14,7 +14,6 @@ from core.codes.outcomes import OUTCOMES, PASSES, min_if_all_known, severity_key
 from core.errors import InputError
 from core.report.large_report import NAMED, Tally
 from core.report.steps import Steps
-from core.report.tie_words import tie_lines
 from core.report.workbook import WorkbookReport
 from core.study.run import run
 from tests.clauses_alone import parse_case
@@ -171,24 +170,6 @@ FREE = {
     "unloaded_confirmed": True,
 }
 TIED = FREE | {"hold": [*FREE["hold"], sought(11.7)]}
-
-
-def test_that_a_tie_whose_histories_need_the_length_of_its_bar_has_no_force():
-    demand = {"ag_g": 0.24, "spectrum": {**SITE["spectrum"], "soil": "B"}}
-    table = {"wall": [TIED], "demand": demand, "analysis": {"q_step": 0.1}, "generate": {"scatter": 0.0, "count": 3}}
-    wall = made(table).walls[0]
-    tie = wall.assessment.tie
-    assert (tie.missing, tie.force, tie.asked) == ("bar", None, None) and tie.at_least is not None
-    words = " ".join(tie_lines(wall, "en"))
-    assert "is not known" in words and "is needed" not in words
-
-
-def test_that_a_tie_no_refined_check_can_be_made_of_takes_the_force_of_the_linear_one():
-    """Without spectrum and records q = 2 decides: the thrust at rest alone, 0, was named."""
-    wall = made({"wall": [TIED], "demand": {"ag_g": 0.2, "soil_factor": 1.15}}).walls[0]
-    tie = wall.assessment.tie
-    assert tie.asked == tie.forces["linear_q_code"] > 5e3 and tie.forces["thrust"] == 0.0
-    assert (tie.force, tie.check) in ((tie.asked, "linear_q_code"), (None, None))
 
 
 def test_that_a_tie_that_breaks_early_does_not_lower_the_displacement_check():

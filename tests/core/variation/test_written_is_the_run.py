@@ -18,11 +18,9 @@ from core.variation.favourable_wall_inputs import favourable_inputs
 from core.variation.inverse_design import VALUE_SETTERS, design_keys, find_target_value
 from core.variation.limit_states import limit_state_demands
 from core.variation.sensitivity import evaluate_move, list_input_moves
-from core.variation.tie_design import add_tie
 from core.variation.wall_evaluation import NO_EVALUATION, make_wall_context
 from tests.clauses_alone import parse_case
 from tests.core.variation.random_walls import random_tables
-from tests.holds import sought
 
 HERE = Path(__file__).parent
 
@@ -219,30 +217,6 @@ def test_that_two_hundred_walls_are_written_as_they_run(kind):
 def test_that_forty_walls_under_records_are_written_as_they_run(kind):
     tables = random_tables(40, histories=True, hazard=kind is check_states, first=3000)
     assert sum(kind(table) for table in tables) > 20
-
-
-@pytest.mark.long
-@pytest.mark.long
-@pytest.mark.long
-def test_that_the_wall_with_the_tie_designed_has_the_zeta_written_of_it():
-    """The tie of the force named, as a hold of the case."""
-    wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.5, "mechanism": "one_sided", "base_z_m": 0.0}
-    tie = sought(5.7, bar_length_m=8.0, elongation_m=0.4)
-    wall |= {"unit_weight_kn_m3": 18.0, "hold": [{"kind": "cross_walls"}, tie], "unloaded_confirmed": True}
-    spectrum = {"code": "NTC2018", "soil": "B", "topography": "T1", "f0": 2.36, "tc_star_s": 0.35}
-    for records in (False, True):
-        table = {"wall": [wall], "demand": {"ag_g": 0.2, "spectrum": spectrum}, "analysis": {"q_step": 0.1}}
-        if records:
-            table["generate"] = {"scatter": 0.0, "count": 3}
-        case = parse_case(table)
-        tie = made(case).walls[0].assessment.tie
-        assert tie.force > 0.0
-        held = add_tie(case.wall[0], tie.force, 5.7).without_sought()
-        assert len(held.ties) == 1
-        checks = {c.name: c for c in made(replace(case, wall=(held,))).walls[0].assessment.checks}
-        named = ["nonlinear", "linear_q_code", *(["dynamic"] if records else [])]
-        assert {name: checks[name].zeta for name in named} == {name: tie.zeta[name] for name in named}
-        assert checks["nonlinear"].passed and (not records or checks["dynamic"].passed)
 
 
 WORDS = {"ties_displacement", "thicker_less", "lift_brittle"}

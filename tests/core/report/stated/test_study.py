@@ -51,7 +51,7 @@ def test_that_walls_that_no_shipped_case_has_are_as_the_schema_says(tmp_path):
     found = json.loads(json_report.dumps(run(parse_case(table), base_dir=tmp_path)))
     CHECK(found)
     keys = {key for wall in found["walls"] for key, value in wall.items() if value is not None}
-    assert {"body", "ties", "tie_design", "floor", "kinematic_check"} <= keys and "variants" in found
+    assert {"body", "ties", "floor", "kinematic_check"} <= keys and "variants" in found
     assert any((wall["kinematic_check"] or {}).get("bending") for wall in found["walls"])
     assert parse_case(tomllib.loads(found["case_toml"])) == parse_case(table)
 
