@@ -138,6 +138,7 @@ CONDITION = {
     "hold_inward": "is compared of a floor",
     "measure_tie": "makes it pass",
     "no_measure": "makes it pass",
+    "no_tie_there": "makes it pass",
     "two_sided_loads_rigid": "assume a restraint behind",
     "tie_needs_rigid_law": "may overturn later",
     "to_set_aside": "each with a document",
