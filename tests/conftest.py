@@ -75,12 +75,11 @@ def light_histories():
     same. Searches asked for directly are as they are."""
     from core.case.schema import Generate
     from core.setting import demand_input
-    from core.variation import measures
-    from core.variation.evaluate import FULL_PRECISION
+    from core.variation import evaluate, measures
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(demand_input, "DEFAULT_SET", Generate(count=2))
-        patch.setattr(FULL_PRECISION, "_value_", COARSE)
+        patch.setattr(evaluate, "FINEST", COARSE)
         patch.setattr(measures, "MOST", 0)
         yield
 
@@ -94,10 +93,10 @@ def fine():
 
 @contextlib.contextmanager
 def whole_grid():
-    from core.variation.evaluate import FULL_PRECISION
+    from core.variation import evaluate
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(FULL_PRECISION, "_value_", 1)
+        patch.setattr(evaluate, "FINEST", 1)
         yield
 
 

@@ -15,12 +15,13 @@ from app.views.zeta_rungs import check_words, rungs_of
 from app.work.worker import Job
 from core.case.floor_loads import infer_floor_supports
 from core.case.schema import Case
+from core.codes.multiplier_search import Precision
 from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
 from core.known import require_value
 from core.report.uncertainty_text import reach_written
 from core.setting.plan import Inputs, read_inputs
-from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
+from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION
 from core.variation.inverse_design import design_keys, find_target_value, set_values, slider_keys
 from core.variation.swings import TargetValue
 from core.variation.wall_evaluation import (
@@ -302,7 +303,7 @@ class WhatIfWindow(QDialog):
     def _search_zeta(self, moved: WallContext, precision: Precision) -> None:
         self.stop("zeta")
         first, base = not self.values, self.base_dir
-        asked = require_value(self.case).generate and "ag_g" in self.values and precision is FULL_PRECISION
+        asked = require_value(self.case).generate and "ag_g" in self.values and precision == FULL_PRECISION
         taken = self._taken(moved) if asked else None
 
         def work(job: Job) -> WallEvaluation:
@@ -312,7 +313,7 @@ class WhatIfWindow(QDialog):
         def arrived(whole: WallEvaluation) -> None:
             if first:
                 self.zetas = dict(whole.by_check) | self._of_the_run()
-            again = precision is COARSE_PRECISION and "dynamic" in whole.by_check
+            again = precision == COARSE_PRECISION and "dynamic" in whole.by_check
             self._show(whole, COARSE_PRECISION if again else FULL_PRECISION)
             if again:
                 self._search_zeta(moved, FULL_PRECISION)

@@ -6,8 +6,9 @@ from app.look.language import current_language, number, tr
 from app.views.ladder import Rung
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import Check
+from core.codes.multiplier_search import Precision
 from core.text.sentence import Number, sentence
-from core.variation.evaluate import FULL_PRECISION, Precision
+from core.variation.evaluate import FULL_PRECISION
 from core.variation.wall_evaluation import WallEvaluation
 
 
@@ -55,7 +56,7 @@ def rungs_of(
         labels.insert(0, "dynamic")
     for k, label in enumerate(labels):
         zeta, as_it_is = whole.by_check.get(label), given.get(label)
-        said = "" if precision is FULL_PRECISION or label != "dynamic" else "…" if precision is None else tr("about")
+        said = "" if precision == FULL_PRECISION or label != "dynamic" else "…" if precision is None else tr("about")
         values = tr("as it is {zeta}", zeta=number(as_it_is, ".2f")) if as_it_is is not None and moved else said
         rungs.append(Rung(check_words(label, q_code), said, zeta, values, _tone(whole, label, precision), k == 0))
     return rungs

@@ -23,7 +23,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.demand import SeismicDemand
 from core.codes.kinematic import ZETA_ROUNDING, Check
 from core.codes.limits import counted_mask, counted_stations, set_rule
-from core.codes.multiplier_search import ROCKING_PEAK_RATIO, search_zeta
+from core.codes.multiplier_search import ROCKING_PEAK_RATIO, RUN, Precision, ZetaSearchResult, search_zeta
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
 from core.rocking.grounds import Grounds
@@ -31,6 +31,10 @@ from core.rocking.history import scan_records
 from core.rocking.methods import Method
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
 from core.wall.rocking_model import RockingModel, weakened
+
+BESIDE_A_FAILURE = 4
+"""Points of the grid from one to the next with FC on the other side of a wall that fails, whose outcome does not hang
+on it."""
 
 ONE_BY_ONE = 2
 """Records, the worst at the demand, that are analysed alone: most failures need no other."""
@@ -94,6 +98,7 @@ class DynamicCheck:
     passed : it holds at zeta_target, and zeta reaches zeta_target
     zeta_other : the check with FC on the other side; None where FC is 1
     not_counted : records too weak beside the others to count for the rule of the set
+    beyond : zeta is at least this: more was not asked for
     """
 
     limit_state: str
@@ -116,6 +121,7 @@ class DynamicCheck:
     zeta_other: AlternativeConfidence | None = None
     not_counted: tuple[str, ...] = ()
     branch: Any = None
+    beyond: bool = False
 
     @property
     def peak_ratio(self) -> float | None:
@@ -277,7 +283,7 @@ def run_dynamic_check(
     polarities: tuple[int, ...],
     demand: SeismicDemand,
     method: Method,
-    every: int = 1,
+    precision: Precision = RUN,
     other: bool = True,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DynamicCheck | None:
@@ -288,7 +294,7 @@ def run_dynamic_check(
     polarities : signs each is taken with, 1 as recorded, -1 reversed
     demand : what is required
     method : how the motion is integrated
-    every : zeta is searched at every n-th point of the grid
+    precision : of zeta
     other : search zeta with FC on the other side too
     cancelled : asked between two chunks of analyses
     Raises Cancelled.
@@ -310,17 +316,19 @@ def run_dynamic_check(
     worst = [0.0] * len(motions)
     for run in runs:
         worst[run.motion] = max(worst[run.motion], run.peak_ratio or 2.0)
-    judged = {}
-    for name, there in sides.items():
-        if name != side and not (other and demand.confidence_factor > 1.0):
-            continue
+
+    def judged(there: DemandRuns, precision: Precision) -> tuple[ZetaSearchResult, bool]:
         there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
-        zeta = search_zeta(there.failures, there.rest, target, every)
+        zeta = search_zeta(there.failures, there.rest, target, precision)
         reaches = zeta.half is not None and zeta.half >= target - ZETA_ROUNDING
-        judged[name] = zeta, zeta.holds_at_target and reaches
-    zeta_found, passed = judged.pop(side)
+        return zeta, zeta.holds_at_target and reaches
+
+    zeta_found, passed = judged(work, precision)
     second = None
-    for name, (zeta, fine) in judged.items():
+    if other and demand.confidence_factor > 1.0:
+        beside = precision if passed else precision._replace(every=max(precision.every, BESIDE_A_FAILURE))
+        (name,) = set(sides) - {side}
+        zeta, fine = judged(sides[name], beside)
         second = AlternativeConfidence(name, zeta.half, fine, zeta.spread)
     return DynamicCheck(
         limit_state=demand.limit_state,
@@ -341,13 +349,14 @@ def run_dynamic_check(
         zeta_first=zeta_found.first,
         share_failing_at_demand=zeta_found.share_at_target,
         zeta_other=second,
+        beyond=zeta_found.beyond,
         not_counted=tuple(
             motion.name for motion, counts in zip(motions, counted_mask(motions, demand), strict=True) if not counts
         ),
     )
 
 
-AROUND = 0.97, 1.0, 1.03
+AROUND = 1.0, 1.03
 """Multiples of what is required at which a wall is looked at where its zeta is not asked for."""
 
 
@@ -357,7 +366,7 @@ def check_around_demand(
     polarities: tuple[int, ...],
     demand: SeismicDemand,
     method: Method,
-    every: int = 1,
+    precision: Precision = RUN,
     other: bool = True,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DynamicCheck | None:
@@ -369,7 +378,7 @@ def check_around_demand(
     polarities : signs each is taken with
     demand : what is required
     method : how the motion is integrated
-    every, other : not asked for
+    precision, other : not asked for
     cancelled : asked between two chunks of analyses
     Raises Cancelled.
     """

@@ -4,12 +4,14 @@ A wall can survive a stronger motion than one that overturned it, so that the fi
 with the grid. zeta_E is the lowest multiplier at which half of the multipliers within +-10 % of it (in ln) fail,
 zeta_16 the lowest at which 16 % do.
 
-Every search is on points of one grid, target (1 + MULTIPLIER_STEP)^k, all of them or every n-th one, and finds what
-all of its points would say: a point is left out only between two at which every run hardly rocks.
+Every search is on points of one grid, target (1 + MULTIPLIER_STEP)^k, all of them or every n-th one. All points are
+analysed from a whole window without a failure on; the first failure is looked for at points 4 % apart where every run
+hardly rocks, 1 % apart elsewhere.
 """
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -34,6 +36,9 @@ SPARSE = 16
 ends stay below ROCKS: no zeta of 130 sets, searched point by point at 8 places of the grid, is another with ROCKS up to
 0.30."""
 
+SPARSE_ROCKING = 4
+"""Points of the grid from one to the next that are analysed first beside one at which a run rocks."""
+
 ROCKING_PEAK_RATIO = 0.20
 """Largest rotation over theta_c from which a wall may overturn at a multiplier close by."""
 
@@ -47,10 +52,23 @@ MIN_MULTIPLIER_SHARE = 1e-3
 """Share of the multiplier from which the search starts below which no run without a number is followed down."""
 
 
+class Precision(NamedTuple):
+    """How finely zeta is searched: every how many points of its grid; enough : multiple of what is required beyond
+    which it need not be known, None where it always is."""
+
+    every: int = 1
+    enough: float | None = None
+
+
+RUN = Precision()
+"""All points, zeta known wherever it is: as it is written."""
+
+
 @dataclass(frozen=True)
 class ZetaSearchResult:
     """zeta_E, zeta_16, zeta_first, and the spread of zeta_E (None where a run has no number), the share failing
-    around the target, whether the rule holds at the target itself, and whether it fails there by runs with a number."""
+    around the target, whether the rule holds at the target itself, and whether it fails there by runs with a number;
+    beyond : zeta_E is at least this, as far as was looked."""
 
     half: float | None
     sixteen: float | None
@@ -59,6 +77,7 @@ class ZetaSearchResult:
     share_at_target: float
     holds_at_target: bool
     fails_at_target: bool
+    beyond: bool = False
 
 
 class _Grid:
@@ -91,14 +110,15 @@ class _Grid:
         return self.at(indices)[0]
 
     def first_failure(self, start: int, top: int) -> int | None:
-        """Lowest point at which the rule fails, from start to top; None without one."""
-        sparse, together = max(1, SPARSE // self.every), max(1, POINTS_PER_SEARCH // self.every)
+        """Lowest point at which the rule fails, of those looked at from start to top; None without one."""
+        sparse, close = max(1, SPARSE // self.every), max(1, SPARSE_ROCKING // self.every)
+        together = max(1, POINTS_PER_SEARCH // self.every)
         for low in range(start // sparse * sparse, top + 1, together):
             ends = range(low, low + together + 1, sparse)
             fails, _, rocks = self.at(ends)
             asked = []
             for k in range(len(ends) - 1):
-                asked += range(ends[k], ends[k + 1]) if rocks[k] or rocks[k + 1] else [ends[k]]
+                asked += range(ends[k], ends[k + 1], close) if rocks[k] or rocks[k + 1] else [ends[k]]
                 if fails[k + 1]:
                     asked.append(ends[k + 1])
                     break
@@ -108,25 +128,25 @@ class _Grid:
         return None
 
 
-def search_zeta(failures, rest: float, target: float, every: int = 1) -> ZetaSearchResult:
-    """Search zeta_E, at which a rule fails, on the points target (1 + MULTIPLIER_STEP)^k whose k is a multiple of
-    `every`.
+def search_zeta(failures, rest: float, target: float, precision: Precision = RUN) -> ZetaSearchResult:
+    """Search zeta_E, at which a rule fails.
 
     failures(multipliers) : flags of failure, of unknown outcome, and of a peak of ROCKS or more at each
     rest : below this multiplier the rule holds
     target : a multiplier of the grid
-    Where the rule never fails up to MAX_MULTIPLIER, that. From a whole window of points without a failure below the
-    first one on, all points are analysed.
+    Where the rule never fails up to MAX_MULTIPLIER, or to what is enough, that. From a whole window of points without a
+    failure below the first one on, all points are analysed.
     """
-    grid = _Grid(failures, target, every)
+    grid = _Grid(failures, target, precision.every)
     half = round(FAILURE_WINDOW / math.log1p(grid.step))
     window, top = 2 * half + 1, grid.index(MAX_MULTIPLIER)
-    edge = grid.first_failure(grid.index(rest), top)
+    most = MAX_MULTIPLIER if precision.enough is None else precision.enough * target
+    last_looked = grid.index(most)
+    edge = grid.first_failure(grid.index(rest), last_looked)
     failing, unknown, _ = grid.at([0])[:, 0]
     at_target = not failing, bool(failing and not unknown)
-    if edge is None or edge > top:
-        most = MAX_MULTIPLIER
-        return ZetaSearchResult(most, most, most, (most, most), 0.0, *at_target)
+    if edge is None or edge > last_looked:
+        return ZetaSearchResult(most, most, most, (most, most), 0.0, *at_target, precision.enough is not None)
     while (below := grid.fails_at(range(edge - window, edge))).any():
         edge += int(np.argmax(below)) - window
         if (

@@ -6,6 +6,7 @@ from dataclasses import asdict, replace
 
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import DynamicCheck, run_dynamic_check
+from core.codes.multiplier_search import RUN, Precision
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import Method
 from core.study.journal import Journal, MemoryJournal, dataclass_from_json
@@ -29,11 +30,11 @@ class CheckCache:
         polarities: tuple[int, ...],
         demand: SeismicDemand,
         method: Method,
-        every: int = 1,
+        precision: Precision = RUN,
         other: bool = True,
         cancelled: Callable[[], bool] = lambda: False,
     ) -> DynamicCheck | None:
-        decides = (polarities, demand, method, every, other)
+        decides = (polarities, demand, method, precision, other)
         key = check_key(model, motions, *decides) if self.journal else ""
         known = dataclass_from_json(DynamicCheck, self.journal.get(key)) if self.journal else None
         if known is not None:

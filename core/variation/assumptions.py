@@ -3,15 +3,17 @@
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import reduce
+from typing import NamedTuple
 
 from core.codes.assumption import ALL_TOGETHER_KEY, DEFAULT, Assumption
 from core.codes.kinematic import Check
+from core.codes.multiplier_search import Precision
 from core.codes.outcomes import PASSES
 from core.codes.verdict import find_outcome
 from core.errors import InputError
 from core.known import require_value
 from core.text.sentence import Key, Number, sentence
-from core.variation.evaluate import Evaluation, evaluate
+from core.variation.evaluate import DECISION, FULL_PRECISION, Evaluation, evaluate
 from core.variation.favourable_input import (
     LOAD_AND_MASONRY_KEYS,
     Alternative,
@@ -53,26 +55,62 @@ def evaluate_assumptions(
         q = 2 fail too, without histories
     Raises Cancelled.
     """
-    rows: list[Assumption] = []
-    worst: list[tuple[Assumption, SceneChange]] = []
+    looked: list[LookedAt] = []
     for one in favourable_inputs(evaluation):
-        if (found := look_at(evaluation, one, evaluation.satisfied, cancelled)) is None:
-            continue
-        row, end = found
-        rows.append(row)
-        if row.raises:
-            worst.append((row, end.change))
+        if (found := look_at(evaluation, one, evaluation.satisfied, cancelled, DECISION)) is not None:
+            looked.append(found)
+
+    def known(found: LookedAt) -> LookedAt:
+        """With the numbers of searches to their end."""
+        whole = None if found.known else look_at(evaluation, found.one, evaluation.satisfied, cancelled)
+        return whole or found
+
     if not evaluation.satisfied:
-        return tuple(row for row in rows if row.turns_q)
-    return _together(rows, worst, evaluation, cancelled)
+        return tuple(known(found).row for found in looked if found.row.turns_q)
+    if _may_turn_together([found.row for found in looked if found.row.open], evaluation):
+        looked = [known(found) if found.row.open else found for found in looked]
+    rows = _together(
+        [found.row for found in looked],
+        [(found.row, found.end.change) for found in looked if found.row.raises],
+        evaluation,
+        cancelled,
+    )
+    for k, found in enumerate(looked):
+        if rows[k].turns or rows[k].turns_q:
+            rows[k] = replace(known(found).row, turns=rows[k].turns, turns_q=rows[k].turns_q)
+    return tuple(rows)
+
+
+def _may_turn_together(unshown: list[Assumption], evaluation: Evaluation) -> bool:
+    """Whether rows that nobody shows may turn a check together that none of them turns alone."""
+    q_check = evaluation.made("linear_q_code")
+    by_q = bool(q_check and q_check.passed) and not any(row.turns_q for row in unshown)
+    return len(unshown) > 1 and (by_q or not any(row.turns for row in unshown))
+
+
+class LookedAt(NamedTuple):
+    """An input whose other ends were looked at.
+
+    row : of the table; end : that it shows; known : its numbers are those of searches to their end
+    """
+
+    one: FavourableInput
+    row: Assumption
+    end: Alternative
+    known: bool
 
 
 def look_at(
-    evaluation: Evaluation, one: FavourableInput, passes: bool, cancelled: Callable[[], bool] = lambda: False
-) -> tuple[Assumption, Alternative] | None:
-    """The row of an input with the end it shows, None where it moves no check that counts.
+    evaluation: Evaluation,
+    one: FavourableInput,
+    passes: bool,
+    cancelled: Callable[[], bool] = lambda: False,
+    precision: Precision = FULL_PRECISION,
+) -> LookedAt | None:
+    """An input at its other ends, None where it moves no check that counts.
 
     passes : the check that decides may turn; else the one with q of the code alone, without histories
+    precision : of histories; whether the row turns something, and raises zeta, does not hang on it
     Raises Cancelled.
     """
     decides, q_check = require_value(evaluation.decides), evaluation.made("linear_q_code")
@@ -80,12 +118,18 @@ def look_at(
     judged = [check for check in (decides if touched else None, q_check) if check is not None]
     if not judged:
         return None
-    ends = [_evaluate_at(evaluation, end.change, touched, cancelled) for end in one.ends]
+    ends = [_evaluate_at(evaluation, end.change, touched, cancelled, precision) for end in one.ends]
+    turning = any(_turns(end, check) for end in ends for check in judged)
+    if not turning and not _lowered_by_clauses(ends, evaluation):
+        ends = [
+            _evaluate_at(evaluation, one.ends[k].change, touched, cancelled) if end and end.beyond else end
+            for k, end in enumerate(ends)
+        ]
     told = _told(one, judged, ends, evaluation) if passes else q_check
     if told is None:
         return None
     zetas = [_zeta(end, told) for end in ends]
-    lowest = min(range(len(zetas)), key=lambda k: zeta_for_sorting(zetas[k]))
+    lowest = min(range(len(zetas)), key=lambda k: (zeta_for_sorting(zetas[k]), _by_clause(ends[k])))
     turns = {check.name for check in judged if any(_turns(end, check) for end in ends)}
     row = Assumption(
         one.key,
@@ -102,17 +146,34 @@ def look_at(
         raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(told.zeta),
         check="" if told.name == decides.name else told.name,
     )
-    return row, one.ends[lowest]
+    return LookedAt(one, row, one.ends[lowest], not any(end is not None and end.beyond for end in ends))
+
+
+def _lowered_by_clauses(ends: AlternativeEvaluations, evaluation: Evaluation) -> bool:
+    """Whether the displacement check is lower at an end, so that an input that turns nothing raises zeta whatever the
+    histories say; of what moves histories alone these have to say it."""
+    searched = all(end is None or not end.beyond for end in ends)
+    return searched or min(map(_by_clause, ends)) < _by_clause(evaluation)
+
+
+def _by_clause(end: Evaluation | None) -> float:
+    """zeta of the displacement check at an end, for comparing."""
+    check = end.made("nonlinear") if end else None
+    return zeta_for_sorting(check.zeta if check else None)
 
 
 def _evaluate_at(
-    evaluation: Evaluation, change: SceneChange, by_histories: bool, cancelled: Callable[[], bool]
+    evaluation: Evaluation,
+    change: SceneChange,
+    by_histories: bool,
+    cancelled: Callable[[], bool],
+    precision: Precision = FULL_PRECISION,
 ) -> Evaluation | None:
     """The wall with a change, None where it does not stand without what lifts it."""
     decisive = by_histories and not evaluation.scene.beside
     there = evaluation.scene if decisive else evaluation.scene.without_records()
     try:
-        return evaluate(change(there), other=False, cancelled=cancelled)
+        return evaluate(change(there), precision, other=False, cancelled=cancelled)
     except InputError:
         return None
 
@@ -182,7 +243,7 @@ def _together(
     worst: list[tuple[Assumption, SceneChange]],
     evaluation: Evaluation,
     cancelled: Callable[[], bool],
-) -> tuple[Assumption, ...]:
+) -> list[Assumption]:
     """The rows; where none that nobody shows turns a check alone, and all of these do together, each of them does, and
     the last row is of all of them.
 
@@ -194,7 +255,7 @@ def _together(
     asked = not any(row.turns for row, _ in unshown)
     asked_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unshown)
     if len(unshown) < 2 or not (asked or asked_q):
-        return tuple(rows)
+        return rows
     end = _evaluate_at(evaluation, _all_of(change for _, change in unshown), asked, cancelled)
     joint = asked and _turns(end, decides)
     joint_q = asked_q and q_check is not None and _turns(end, q_check)
@@ -207,4 +268,4 @@ def _together(
         words = sentence("reason", "lifts_together", keys=tuple(map(Key, keys)), zeta=Number(zeta))
         outcome = _outcome(end, evaluation, True)
         rows.append(Assumption(ALL_TOGETHER_KEY, words, "", "", DEFAULT, zeta, outcome, True))
-    return tuple(rows)
+    return rows

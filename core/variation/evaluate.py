@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from enum import Enum
 from functools import cached_property
 from typing import NamedTuple
 
@@ -20,6 +19,7 @@ from core.codes.kinematic import (
     make_kinematic_checks,
 )
 from core.codes.limits import counted_stations
+from core.codes.multiplier_search import RUN, Precision
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key
 from core.codes.verdict import find_outcome
 from core.codes.vertical_bending import uplift_multiplier
@@ -40,17 +40,12 @@ AT_LIMIT = "at_limit"
 failed."""
 
 
-class Precision(Enum):
-    """How finely zeta of histories is searched: every how many points of its grid.
+FULL_PRECISION, COARSE_PRECISION, DECISION = RUN, Precision(every=4), Precision(enough=1.02)
+"""Of zeta of histories: as it is written; under the hand, two digits that are said with "about"; where it is asked
+whether a wall passes, not by how much."""
 
-    RUN : all of them, as it is written; GLANCE : under the hand, two digits that are said with "about"
-    """
-
-    RUN = 1
-    GLANCE = 4
-
-
-FULL_PRECISION, COARSE_PRECISION = Precision.RUN, Precision.GLANCE
+FINEST = 1
+"""Every how many points of its grid zeta is searched at the least."""
 
 
 @dataclass(frozen=True)
@@ -80,6 +75,16 @@ class Evaluation:
     def zeta(self) -> float | None:
         """zeta of the check that decides [-]; None without one."""
         return self.decides.zeta if self.decides else None
+
+    @property
+    def beyond(self) -> bool:
+        """Whether zeta is at least what is said: more of the histories, which decide, was not asked for."""
+        return (
+            self.dynamic is not None
+            and self.dynamic.beyond
+            and self.decides is not None
+            and self.decides.name == "dynamic"
+        )
 
     @property
     def low(self) -> float | None:
@@ -132,7 +137,7 @@ class Evaluation:
     def outcome(self) -> str:
         """Code of the table of outcomes, before what raises zeta is looked at; "undetermined" at a glance, which says
         none."""
-        return find_outcome(self.evidence) if self.precision is FULL_PRECISION else "undetermined"
+        return find_outcome(self.evidence) if self.precision.every == RUN.every else "undetermined"
 
     @property
     def satisfied(self) -> bool:
@@ -279,7 +284,8 @@ def check_by_histories(
     """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
     if not (motions := scene.motions) or scene.wall.kinematics.arches:
         return None
-    parts = motions, scene.signs, scene.demand, scene.method, precision.value, other, cancelled
+    precision = precision._replace(every=max(precision.every, FINEST))
+    parts = motions, scene.signs, scene.demand, scene.method, precision, other, cancelled
     checks: list[DynamicCheck] = []
     for branch in scene.branches:
         if branch.assumed and checks and not checks[0].satisfied(scene.demand.zeta_target):

@@ -9,11 +9,12 @@ from dataclasses import replace
 from core.boundary import Boundary, find_boundary
 from core.case.held_top import move_top_loads
 from core.case.wall import Wall
+from core.codes.multiplier_search import Precision
 from core.errors import InputError
 from core.known import require_value
 from core.setting.demand_input import rescale_ag
 from core.variation.changes import rescale_thickness, scale_loads
-from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION, Precision
+from core.variation.evaluate import COARSE_PRECISION, FULL_PRECISION
 from core.variation.swings import TargetValue
 from core.variation.wall_evaluation import (
     NO_EVALUATION,

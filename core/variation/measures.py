@@ -1,7 +1,8 @@
 """What would make a wall that fails pass: measures on the wall, each passing about all its hinges and mechanisms.
 
-The size of a measure is searched by the checks of the clauses, which take milliseconds, and confirmed by the wall with
-its histories, as a run makes them; where these ask for more it grows, and one that no size makes pass is no measure.
+The size of a measure is searched by the checks of the clauses, which take milliseconds, and by a few histories around
+the demand, and confirmed by the wall with all of them, as a run makes them; where these ask for more it grows, and one
+that no size makes pass is no measure.
 """
 
 import math
@@ -15,11 +16,13 @@ from core.case.hinges import storey_ends
 from core.case.hold import TIE, Hold
 from core.case.wall import Wall
 from core.codes.dynamic_check import check_around_demand
+from core.codes.multiplier_search import Precision
 from core.errors import InputError
 from core.known import require_value
 from core.setting.plan import FloorCache
 from core.text.sentence import Number, Sentence, sentence
 from core.variation.changes import rescale_thickness
+from core.variation.evaluate import FULL_PRECISION
 from core.variation.wall_evaluation import NO_EVALUATION, WallContext, WallEvaluation, evaluate_wall, replace_wall
 from core.wall.ties import bars_for
 
@@ -31,7 +34,7 @@ BAR_LENGTH, STRAIN, SPACING = 8.0, 0.03, 2.0
 [m]."""
 
 GROWTH, MIN_SIZES = 1.5, 8
-"""Factor between two sizes that are tried by the clauses, and least number of them."""
+"""Factor between two sizes that are tried, and least number of them."""
 
 BETWEEN = 8
 """Steps between two sizes of which one lets the wall move in another way."""
@@ -41,6 +44,10 @@ MORE, TRIES = 1.15, 8
 
 CLOSE = 0.05
 """Width of the bracket of a size, of the size [-]."""
+
+NEARLY = Precision(enough=1.25)
+"""zeta of a hinge is searched up to here: that of a wall that just passes, which the worst of its hinges has, lies
+below."""
 
 LEAST_FORCE, MOST_FORCE = 0.2, 100.0
 """Forces that are tried [kN/m]."""
@@ -151,28 +158,30 @@ def find_measure(setting: WallContext, kind: MeasureKind, cancelled: Callable[[]
 
     floors = FloorCache()
 
-    def there(size: float, **changes) -> WallEvaluation | None:
+    def there(size: float, precision: Precision = FULL_PRECISION, **changes) -> WallEvaluation | None:
         try:
             changed = replace(replace_wall(setting, kind.change(size)), **changes)
-            return evaluate_wall(changed, floors=None if changed.inputs[1] else floors, cancelled=cancelled)
+            return evaluate_wall(changed, precision, None if changed.inputs[1] else floors, cancelled)
         except InputError:
             return None
 
-    def by_clauses(size: float) -> WallEvaluation:
-        return there(size, inputs=(setting.demand, [], [])) or NO_EVALUATION
+    def at_demand(size: float) -> WallEvaluation:
+        """By the clauses, and where these are satisfied by a few histories around the demand."""
+        by_clauses = there(size, inputs=(setting.demand, [], [])) or NO_EVALUATION
+        if not by_clauses.sure or not setting.has_histories:
+            return by_clauses
+        return there(size, histories=check_around_demand) or NO_EVALUATION
 
-    def holds(size: float) -> bool:
-        return by_clauses(size).sure
-
-    size, before = find_first(by_clauses, kind.sizes)
+    size, before = find_first(at_demand, kind.sizes)
     if size is None:
         return None
     if before is not None:
-        size = narrowed(holds, size, before, CLOSE).good
+        size = narrowed(lambda size: at_demand(size).sure, size, before, CLOSE).good
     for _ in range(TRIES):
         size = kind.rounded(size)
-        near = there(size, histories=check_around_demand) if holds(size) else None
-        evaluated = there(size) if near is not None and near.sure else None
+        evaluated = there(size, NEARLY) if at_demand(size).sure else None
+        if evaluated is not None and evaluated.sure:
+            evaluated = there(size) if evaluated.beyond else evaluated
         if evaluated is not None and evaluated.sure:
             return Measure(kind.code, size, evaluated.zeta, kind.heights, kind.spacing)
         size = size * MORE if kind.rises else size / MORE

@@ -14,10 +14,11 @@ from core.case.site import FULL_FACTOR
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
+from core.codes.multiplier_search import Precision
 from core.codes.outcomes import FAILS, OPEN, OUTCOMES, PASSES, min_if_all_known, way_key
 from core.setting.check_input import rescale_records
 from core.setting.plan import FloorCache, Inputs, make_plan
-from core.variation.evaluate import AT_LIMIT, FULL_PRECISION, Evaluation, Precision, evaluate
+from core.variation.evaluate import AT_LIMIT, FULL_PRECISION, Evaluation, evaluate
 
 
 @dataclass(frozen=True)
@@ -58,6 +59,11 @@ class WallEvaluation:
     def zeta(self) -> float | None:
         """The lowest of the checks that decide."""
         return min_if_all_known(hinge.zeta for hinge in self.hinges)
+
+    @property
+    def beyond(self) -> bool:
+        """Whether zeta is at least this: more of the histories was not asked for."""
+        return any(hinge.beyond for hinge in self.hinges if hinge.zeta == self.zeta)
 
     @property
     def sure(self) -> bool:

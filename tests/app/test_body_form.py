@@ -212,8 +212,8 @@ def test_that_a_rectangle_is_drawn_as_before_and_a_body_by_its_own_outline(appli
 def test_that_the_facade_is_drawn_in_section_and_where_there_is_room_in_elevation(application, width):
     drawing = WallDrawing()
     drawing.resize(width, 500)
-    before, after = read_case(FACADE).wall
-    for wall, kinds in ((before, ["solid", "opening", "opening"]), (after, ["solid", "opening", "opening", "wedge"])):
+    before, bonded, _ = read_case(FACADE).wall
+    for wall, kinds in ((before, ["solid", "opening", "opening"]), (bonded, ["solid", "opening", "opening", "wedge"])):
         drawing.show_wall(wall)
         assert [one.kind for one in drawing.body.section] == kinds and wall.parts
         assert drawing.has_elevation == (width > 420)

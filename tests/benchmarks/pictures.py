@@ -39,7 +39,7 @@ SHOWN = (
             ("facade_capacity", "capacity"),
         ),
     ),
-    Shown("facade.toml", -1, (("body_wall", "wall"),)),
+    Shown("facade.toml", 1, (("body_wall", "wall"),)),
     Shown("building.toml", -1, (("parapet_wall", "wall"), ("parapet_check", "check"), ("parapet_spectra", "spectra"))),
 )
 """The note is that of the last one."""

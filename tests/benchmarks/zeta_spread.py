@@ -22,6 +22,7 @@ from core.codes.multiplier_search import (
     HALF_FAIL,
     MAX_MULTIPLIER,
     MULTIPLIER_STEP,
+    Precision,
     ZetaSearchResult,
     search_zeta,
 )
@@ -121,7 +122,7 @@ def spread(k: int, shelf) -> dict[int, list[tuple]]:
         return fails | (place >= flags.size), np.zeros(fails.size, bool), np.ones(fails.size, bool)
 
     def searched(every: int, target: float) -> ZetaSearchResult:
-        return search_zeta(looked_up, work.rest, target, every)
+        return search_zeta(looked_up, work.rest, target, Precision(every))
 
     half = round(FAILURE_WINDOW / math.log1p(fine))
     places = (

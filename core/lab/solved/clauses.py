@@ -280,7 +280,7 @@ def facade() -> tuple[Answer, ...]:
     rose = math.pi * 1.2**2
     area = 80.0 + 15.0 - 7.0 - rose
     z = (80.0 * 4.0 + 15.0 * 9.0 - 7.0 * 1.75 - rose * 6.5) / area
-    zeta = 2.0 * 0.45 / z / 1.35 / (0.15 * 1.2)
+    zeta = 2.0 * 0.45 / z / 1.35 / (0.18 * 1.2)
     return (
         Answer(
             "M*", "kg/m", 19e3 / 9.80665 * area * 0.9 / 10.0, 1e-9, lambda: require_value(shipped_facade()[0].m_star)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from core.codes.multiplier_search import FAILURE_WINDOW, MAX_MULTIPLIER, MULTIPLIER_STEP, search_zeta
+from core.codes.multiplier_search import FAILURE_WINDOW, MAX_MULTIPLIER, MULTIPLIER_STEP, Precision, search_zeta
 
 
 def rule(*fails):
@@ -110,19 +110,23 @@ def test_that_what_is_found_is_that_of_all_points_wherever_the_walk_starts(every
 
         first, middle = int(np.argmax(flags)), lowest(0.5)
         rests = [0.5 * multiplier(0), multiplier(17), multiplier(first - 1), 0.999 * multiplier(first)]
-        found = [search_zeta(failures, rest, 0.8, every) for rest in rests]
+        found = [search_zeta(failures, rest, 0.8, Precision(every)) for rest in rests]
         assert len(set(found)) == 1
         assert found[0].sixteen == pytest.approx(multiplier(lowest(0.16)), rel=1e-12)
         if first == middle:  # a sharp limit is located within its step
             assert multiplier(first - 1) < found[0].first == found[0].half <= multiplier(first)
             continue
-        assert found[0].first == pytest.approx(multiplier(first), rel=1e-12)
+        # below the first failure found a whole window has none; one alone, farther below, is not looked for
+        seen = round(math.log(found[0].first / multiplier(0)) / (every * math.log1p(MULTIPLIER_STEP)))
+        assert flags[seen] and not flags[max(0, seen - 2 * half - 1) : seen].any()
+        assert every < 4 or seen == first
         assert found[0].half == pytest.approx(multiplier(middle - 0.5), rel=1e-12)
 
 
 @pytest.mark.shows("dynamic.grid")
 def test_that_points_are_left_out_only_where_no_run_rocks():
-    """Between points 4 % apart at which every run hardly rocks nothing is analysed; beside one that rocks all is."""
+    """Between points 4 % apart at which every run hardly rocks nothing is analysed; beside one that rocks those 1 %
+    apart are, and all of the window below the first failure."""
     asked = []
 
     def failures(multipliers):
@@ -132,8 +136,10 @@ def test_that_points_are_left_out_only_where_no_run_rocks():
     search_zeta(failures, 0.2, 1.0)
     quiet = sorted(m for m in asked if m < 0.65)
     assert np.diff(np.log(quiet)) == pytest.approx(16 * math.log1p(MULTIPLIER_STEP), rel=1e-9)
-    rocks = sorted(m for m in asked if 0.7 <= m < 1.0)
-    assert np.diff(np.log(rocks))[:-20] == pytest.approx(math.log1p(MULTIPLIER_STEP), rel=1e-9)
+    rocks = sorted(m for m in asked if 0.7 <= m < 0.8)
+    assert np.diff(np.log(rocks)) == pytest.approx(4 * math.log1p(MULTIPLIER_STEP), rel=1e-9)
+    below = sorted(m for m in asked if 0.82 <= m < 0.996)
+    assert np.diff(np.log(below)) == pytest.approx(math.log1p(MULTIPLIER_STEP), rel=1e-9)
 
 
 def test_that_the_search_begins_where_the_wall_begins_to_move_whatever_the_target():

@@ -6,6 +6,7 @@ import pytest
 
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import DynamicCheck, run_dynamic_check
+from core.codes.multiplier_search import Precision
 from core.rocking.methods import AUTO, METHODS
 from core.study import check_cache
 from core.study.check_cache import CheckCache, check_key
@@ -15,7 +16,7 @@ from core.study.journal import Journal, MemoryJournal, dataclass_from_json
 @pytest.mark.parametrize("where", ["disk", "memory"])
 def test_that_a_kept_check_is_the_one_that_was_made(result, tmp_path, monkeypatch, where):
     wall, motions = result.walls[1], list(result.motions)
-    asked = (wall.model, motions, (1, -1), result.demand, AUTO, 4)
+    asked = (wall.model, motions, (1, -1), result.demand, AUTO, Precision(4))
     book = Journal(tmp_path / "c.journal", "key", True) if where == "disk" else MemoryJournal()
     first = CheckCache(book)
     made = first(*asked)
@@ -32,7 +33,7 @@ def test_that_a_kept_check_is_the_one_that_was_made(result, tmp_path, monkeypatc
 def test_that_all_that_decides_a_check_is_in_its_key(result):
     wall, motions, demand = result.walls[1], list(result.motions), result.demand
     asked = {"model": wall.model, "motions": motions, "polarities": (1, -1), "demand": demand, "method": AUTO}
-    numbers = (1, True)
+    numbers = (Precision(), True)
     key = check_key(*asked.values(), *numbers)
     assert key == check_key(*asked.values(), *numbers)
     others = [
@@ -45,9 +46,9 @@ def test_that_all_that_decides_a_check_is_in_its_key(result):
         {**asked, "method": METHODS["rk4"]},
     ]
     keys = {key, *(check_key(*other.values(), *numbers) for other in others)}
-    for changed in ((2, True), (1, False)):
+    for changed in ((Precision(2), True), (Precision(enough=1.1), True), (Precision(), False)):
         keys.add(check_key(*asked.values(), *changed))
-    assert len(keys) == 1 + len(others) + 2
+    assert len(keys) == 1 + len(others) + 3
 
 
 def test_that_every_number_of_the_demand_is_in_the_key(result):

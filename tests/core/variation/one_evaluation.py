@@ -55,4 +55,4 @@ def looked_at(result, k=0):
     scene = replace(plan.scene(k, result.demand, result.compliance), q_slv=(wall.q_slv_safe_set, wall.q_slv_set))
     evaluation = evaluate(scene)
     looked = ((one.code, look_at(evaluation, one, True)) for one in favourable_inputs(evaluation))
-    return {code: found[0] for code, found in looked if found is not None}
+    return {code: found.row for code, found in looked if found is not None}

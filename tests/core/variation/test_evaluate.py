@@ -5,18 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.codes.multiplier_search import Precision
 from core.codes.outcomes import FAILS, OPEN, PASSES
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.rocking.methods import AUTO, METHODS
-from core.variation.evaluate import (
-    AT_LIMIT,
-    BUNDLED_HEADER,
-    COARSE_PRECISION,
-    FULL_PRECISION,
-    check_by_histories,
-    evaluate,
-)
+from core.variation.evaluate import AT_LIMIT, BUNDLED_HEADER, COARSE_PRECISION, check_by_histories, evaluate
+from tests.conftest import COARSE
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
 from tests.holds import carries
 
@@ -105,7 +100,7 @@ def test_that_a_glance_has_no_outcome():
 def test_that_fc_on_the_other_side_is_looked_at_too_unless_it_is_not_asked(asked, other):
     def said(*parts):
         *_, every, searched, cancelled = parts
-        assert (every, searched, cancelled()) == (FULL_PRECISION.value, other, False)
+        assert (every, searched, cancelled()) == (Precision(COARSE), other, False)
         return history(1.3)
 
     assert evaluate(replace(scene_of(), ground=(MOTION,), histories=said), **asked).zeta == 1.3

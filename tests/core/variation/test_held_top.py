@@ -8,6 +8,7 @@ import pytest
 
 from core.codes.dynamic_check import run_dynamic_check
 from core.codes.floor_spectrum import FloorSpectrum
+from core.codes.multiplier_search import Precision
 from core.codes.vertical_bending import bending, hinges_in_histories
 from core.errors import InputError
 from core.report.json_report import dumps
@@ -15,8 +16,8 @@ from core.setting.floors import modes_at
 from core.study.run import run
 from core.study.variants import compare_results
 from core.units import G
-from core.variation import evaluate
 from tests.clauses_alone import parse_case
+from tests.conftest import COARSE
 from tests.core.variation.one_evaluation import looked_at
 from tests.holds import at_top, behind, shown
 from tests.validation.circolare import EN_B
@@ -152,9 +153,7 @@ def test_that_it_has_histories_as_other_walls_have(folder):
     assert bends.assessment.checks[0].name == "dynamic" and "no_histories" not in codes(bends)
     motions = list(bends.floor.motions)
     worst = min(
-        run_dynamic_check(
-            branch.of(bends.model), motions, (1,), result.demand, result.method, evaluate.FULL_PRECISION.value
-        ).zeta
+        run_dynamic_check(branch.of(bends.model), motions, (1,), result.demand, result.method, Precision(COARSE)).zeta
         for branch in hinges_in_histories(bends.model, bends.assessment.kinematic.moved.bending)
     )
     assert dynamic.zeta == worst and bends.governing_model.bending.h1 == dynamic.branch.h1

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from core.case.held_top import move_top_loads
+from core.case.hold import Hold
 from core.errors import InputError
 from core.setting.plan import read_inputs
 from core.study.run import run
@@ -96,8 +97,11 @@ def test_that_a_check_satisfied_throughout_has_no_value_and_a_refused_one_is_no_
     from core.case.reader import read_case
 
     case = read_case(CASES / "facade.toml")
-    case = replace(case, generate=replace(case.generate, scatter=0.0, count=3))
-    wedges = make_wall_context(case, 1, CASES, read_inputs(case, CASES))
+    case = replace(case, generate=replace(case.generate, scatter=0.0, count=3), demand=replace(case.demand, ag_g=0.15))
+    held = (Hold("cross_walls"),)
+    bonded = replace(case.wall[1], hinge_heights="base", hold=held, masonry=None, mechanism="one_sided")
+    case = replace(case, wall=(bonded,), building=None)
+    wedges = make_wall_context(case, 0, CASES, read_inputs(case, CASES))
     found = find_target_value(wedges, "thickness_m", 0.9)
     assert found.by_check["nonlinear"] is None and found.by_check["dynamic"] is None
     assert set(found.throughout) == {"nonlinear", "dynamic"} and found.by_check["linear_q_code"] > 0.9
@@ -120,7 +124,7 @@ def found_where(monkeypatch):
             return value
 
         def known(value, precision, *, cancelled):
-            there = (sure or holds) if precision is FULL_PRECISION else holds
+            there = (sure or holds) if precision == FULL_PRECISION else holds
             return SimpleNamespace(hinges=(1,), by_check={label: 1.0}, satisfied={label: there(value)})
 
         monkeypatch.setattr(inverse_design, "VALUE_SETTERS", {key: change})

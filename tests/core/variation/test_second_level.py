@@ -10,8 +10,12 @@ from core.case.asked import ASKED, NOT_ASKED
 from core.case.asked import WALL as WALL_SECTION
 from core.codes.assumption import ALL_TOGETHER_KEY
 from core.codes.masonry_types import least_strength
+from core.codes.multiplier_search import Precision
+from core.errors import InputError
 from core.setting.floors import MIN_STOREY
 from core.study.run import run
+from core.study.wall_verdict import collect_assumptions
+from core.variation import assumptions
 from core.variation.evaluate import evaluate
 from core.variation.second_level import find_unasked_range, unasked_inputs
 from tests.clauses_alone import parse_case
@@ -202,3 +206,23 @@ def test_that_whatever_a_verdict_asks_a_document_for_can_be_given_and_giving_it_
             rows = result.walls[k].assessment.verdict.assumptions
             assert not [row.key for row in rows if row.turns and row.open and row.key != "hold"], full
     assert asked_for > 5
+
+
+@pytest.mark.parametrize("first", [40, pytest.param(400, marks=pytest.mark.long)])
+def test_that_the_rows_written_are_those_of_searches_to_their_end(first, monkeypatch):
+    """Random walls under records: whatever the histories at another end were not asked for, the rows that turn an
+    outcome, and those with whom they do so together, are the same."""
+    seen = 0
+    for table in random_tables(8 if first == 40 else 60, histories=True, first=first):
+        case = parse_case(table)
+        rows = []
+        for precision in (Precision(enough=1.02), Precision()):
+            monkeypatch.setattr(assumptions, "DECISION", precision)
+            try:
+                result = run(case, base_dir=Path())
+            except InputError:
+                break
+            rows.append([collect_assumptions(result, verdict) for verdict in result.verdicts])
+        assert not rows or rows[0] == rows[1]
+        seen += sum(map(len, rows[0])) if rows else 0
+    assert seen > 0

@@ -342,7 +342,7 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     (entry,) = make_plan(setting.case, setting.inputs).entries
     for move in made:
         others = [motion for k, motion in enumerate(motions) if k != int(move.value)]
-        there = run_dynamic_check(entry.model, others, entry.signs, demand, AUTO, 1, False)
+        there = run_dynamic_check(entry.model, others, entry.signs, demand, AUTO, other=False)
         assert evaluate_move(setting, move, FloorCache(), lambda: False).zeta == there.zeta
 
 

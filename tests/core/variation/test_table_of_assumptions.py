@@ -163,7 +163,9 @@ def test_that_a_free_element_rocks_less_well_with_its_branch_and_that_the_worse_
     assert zetas["rigid"] == pytest.approx(1.354, abs=0.002)
     scene = scene_of(PARAPET, demand, generate=generate)
     both = [
-        scene.histories(branch.of(scene.model), scene.motions, scene.signs, scene.demand, scene.method, 1, False).zeta
+        scene.histories(
+            branch.of(scene.model), scene.motions, scene.signs, scene.demand, scene.method, other=False
+        ).zeta
         for branch in scene.branches
     ]
     assert min(both) == zetas["auto"]

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from core.codes.dynamic_check import DynamicCheck
+from core.codes.multiplier_search import Precision
 from core.codes.outcomes import FAILS, PASSES
 from core.errors import InputError
 from core.setting.plan import read_inputs
@@ -86,8 +87,8 @@ def test_that_a_wall_is_as_its_hinges_are_together(each, satisfied, judgement, f
     case = parse_case(table)
     left = list(each)
 
-    def histories(model, motions, signs, demand, method, every, other, cancelled):
-        assert not other and every == 1
+    def histories(model, motions, signs, demand, method, precision, other, cancelled):
+        assert not other and precision == Precision()
         return left.pop(0)
 
     inputs = read_inputs(case, CASES)
