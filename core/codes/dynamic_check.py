@@ -13,7 +13,7 @@ multiplier_search.py.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,7 @@ from core.codes.limits import counted_mask, counted_stations, set_rule
 from core.codes.multiplier_search import ROCKING_PEAK_RATIO, RUN, Precision, ZetaSearchResult, search_zeta
 from core.errors import Cancelled
 from core.ground.ground_motion import GroundMotion
+from core.known import require_value
 from core.rocking.grounds import Grounds
 from core.rocking.history import scan_records
 from core.rocking.methods import Method
@@ -88,8 +89,8 @@ class DynamicCheck:
     mean_peak_ratio : over the records, of each its worse sign; None where a run overturns
     set_rule : mean, or maximum below seven stations
     confidence_on : where FC acts, capacity or demand
-    zeta : zeta_E, lowest multiplier of the demand around which half of the multipliers fail the rule; None
-        where a run below it has no number
+    zeta : zeta_E, lowest multiplier of the demand around which half of the multipliers fail the rule, no more than is
+        required where the rule fails there or is at its limit; None where a run below it has no number
     zeta_spread : multipliers around which 45 % and 55 % fail: zeta_E on another grid lies between them
     zeta_16, zeta_first : the same as zeta of 16 %, and the first failure on the grid
     share_failing_at_demand : share of failing multipliers within +-10 % of zeta_target
@@ -321,7 +322,7 @@ def run_dynamic_check(
         there.in_order(np.argsort(-np.array(worst), kind="stable").tolist())
         zeta = search_zeta(there.failures, there.rest, target, precision)
         reaches = zeta.half is not None and zeta.half >= target - ZETA_ROUNDING
-        return zeta, zeta.holds_at_target and reaches
+        return limit_to_required(zeta, target), zeta.holds_at_target and reaches
 
     zeta_found, passed = judged(work, precision)
     second = None
@@ -354,6 +355,17 @@ def run_dynamic_check(
             motion.name for motion, counts in zip(motions, counted_mask(motions, demand), strict=True) if not counts
         ),
     )
+
+
+def limit_to_required(found: ZetaSearchResult, target: float) -> ZetaSearchResult:
+    """What was found of a wall, of one that fails at what is required or is at its limit there no zeta above that: what
+    it withstands above is no capacity."""
+    if found.half is None or found.spread is None or found.half <= target:
+        return found
+    if not found.holds_at_target:
+        low, high, sixteen = (min(value, target) for value in (*found.spread, require_value(found.sixteen)))
+        return replace(found, half=target, sixteen=sixteen, spread=(low, high))
+    return replace(found, half=target) if found.spread[0] <= target else found
 
 
 AROUND = 1.0, 1.03

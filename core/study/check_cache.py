@@ -34,16 +34,20 @@ class CheckCache:
         other: bool = True,
         cancelled: Callable[[], bool] = lambda: False,
     ) -> DynamicCheck | None:
-        decides = (polarities, demand, method, precision, other)
-        key = check_key(model, motions, *decides) if self.journal else ""
-        known = dataclass_from_json(DynamicCheck, self.journal.get(key)) if self.journal else None
-        if known is not None:
-            return known
-        check = run_dynamic_check(model, motions, *decides, cancelled)
+
+        def key_of(asked: Precision) -> str:
+            return check_key(model, motions, polarities, demand, method, asked, other)
+
+        to_the_end = precision._replace(enough=None)
+        for asked in dict.fromkeys((to_the_end, precision)):
+            known = dataclass_from_json(DynamicCheck, self.journal.get(key_of(asked))) if self.journal else None
+            if known is not None:
+                return known
+        check = run_dynamic_check(model, motions, polarities, demand, method, precision, other, cancelled)
         if check is not None:
             self.made += 1
-            if self.journal:
-                self.journal.add(key, asdict(check))
+            if self.journal:  # a search that ended before what is enough is one to its end
+                self.journal.add(key_of(precision if check.beyond else to_the_end), asdict(check))
         return check
 
 

@@ -24,7 +24,7 @@ from core.setting.floors import LOW_CODE, building_notes
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.assumptions import evaluate_assumptions
-from core.variation.changes import rescale_thickness
+from core.variation.changes import has_own_thickness, rescale_thickness
 from core.variation.evaluate import Evaluation, Reaction, check_by_histories, evaluate, find_reactions
 from core.variation.second_level import UnaskedRange, find_unasked_range
 from core.wall.arch import Arch
@@ -335,8 +335,8 @@ def _of_a_thicker_wall(evaluation: Evaluation) -> list[Sentence]:
     """That a thicker wall has the lower zeta by the check of the clauses that decides: what holds it besides its weight
     does not grow with it, a tie breaks before its larger displacement, or it vibrates nearer to the plateau."""
     scene, check = evaluation.scene, evaluation.decides
-    thickness = scene.wall.thickness
-    if check is None or check.zeta is None or check.name == "dynamic" or thickness is None or scene.wall.solid:
+    thickness = scene.wall.thickness or 0.0
+    if check is None or check.zeta is None or check.name == "dynamic" or not has_own_thickness(scene.wall):
         return []
     zetas = {}
     for factor in TRIAL_THICKNESS_FACTORS:

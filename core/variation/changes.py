@@ -10,14 +10,23 @@ WITHOUT_PARTS: dict[str, Any] = {"g_kn_m": None, "q_kn_m": None, "psi_2": None}
 
 
 def rescale_thickness(wall: Wall, thickness: float) -> Wall:
-    """A wall of another thickness [m]; its loads keep their share of it, and so do its steps."""
+    """A wall of another thickness [m]; its loads keep their share of it, and so do its steps and what is drawn in its
+    elevation. Of another solid nothing says how it grows: not for a wall that has one."""
     assert wall.thickness is not None
     share = thickness / wall.thickness
     steps = tuple(replace(step, thickness_m=share * step.thickness_m) for step in wall.steps)
     loads = tuple(load if load.d_m is None else replace(load, d_m=share * load.d_m) for load in wall.load)
-    return replace(
-        wall, thickness_m=thickness, slenderness_deg=None, height_over_thickness=None, load=loads, steps=steps
+    solids = tuple(
+        replace(solid, from_m=share * solid.from_m, to_m=share * solid.to_m, x0_m=share * solid.x0_m)
+        for solid in wall.solid
     )
+    wall = replace(wall, slenderness_deg=None, height_over_thickness=None)
+    return replace(wall, thickness_m=thickness, load=loads, steps=steps, solid=solids)
+
+
+def has_own_thickness(wall: Wall) -> bool:
+    """Whether another thickness of a wall says what it is then: all that is drawn of it is an elevation."""
+    return wall.thickness is not None and all(solid.plane == "elevation" for solid in wall.solid)
 
 
 def scale_loads(wall: Wall, factor: float) -> Wall:

@@ -40,7 +40,7 @@ AT_LIMIT = "at_limit"
 failed."""
 
 
-FULL_PRECISION, COARSE_PRECISION, DECISION = RUN, Precision(every=4), Precision(enough=1.02)
+FULL_PRECISION, COARSE_PRECISION, DECISION = RUN, Precision(every=4), Precision(enough=1.05)
 """Of zeta of histories: as it is written; under the hand, two digits that are said with "about"; where it is asked
 whether a wall passes, not by how much."""
 

@@ -231,6 +231,7 @@ def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
     narrow = 0
     for k in walls:
         model, motions, signs, demand = wall_of(k)
+        demand = replace(demand, zeta_target=(1.0 + STEP) ** -600)  # of the same grid, at which every wall stands
         found = run_dynamic_check(model, motions, signs, demand, AUTO, other=False)
         work = DemandRuns(model, motions, signs, demand, demand.confidence_on, AUTO, lambda: False)
         low = math.floor(math.log(0.9 * work.rest) / math.log1p(STEP))
@@ -255,7 +256,7 @@ def test_that_zeta_of_a_hundred_walls_is_that_of_every_point_of_the_grid(walls):
 @pytest.mark.shows("dynamic.enough")
 @pytest.mark.parametrize("walls", [range(12), pytest.param(range(200), marks=pytest.mark.long)], ids=len)
 def test_that_what_is_enough_changes_neither_what_fails_nor_a_zeta_below_it(walls):
-    """Of a search up to 1.02 of what is required: the same outcome, the same zeta where it is below, else at least
+    """Of a search up to 1.05 of what is required: the same outcome, the same zeta where it is below, else at least
     that."""
     beyond = 0
     for k in walls:
@@ -266,11 +267,11 @@ def test_that_what_is_enough_changes_neither_what_fails_nor_a_zeta_below_it(wall
             target = replace(demand, zeta_target=share * zeta)
             asked = model, motions, signs, target, AUTO
             whole = run_dynamic_check(*asked, other=False)
-            enough = run_dynamic_check(*asked, Precision(enough=1.02), other=False)
+            enough = run_dynamic_check(*asked, Precision(enough=1.05), other=False)
             assert enough.satisfied(target.zeta_target) == whole.satisfied(target.zeta_target)
             if enough.beyond:
                 beyond += 1
-                assert whole.zeta >= enough.zeta == 1.02 * target.zeta_target
+                assert whole.zeta >= enough.zeta == 1.05 * target.zeta_target
             else:
                 assert replace(enough, zeta_other=None) == replace(whole, zeta_other=None)
     assert beyond > 0.2 * len(walls)
@@ -355,3 +356,26 @@ def test_that_one_run_beyond_theta_c_fails_the_rule_though_the_mean_holds(script
     model, motions, signs, demand = scripted(lambda at, which: (STABLE, 1.05 if which == 3 and at > 1.5 else 0.05))
     work = DemandRuns(model, motions, signs, demand, "capacity", AUTO, lambda: False)
     assert work.mean and work.failures(np.array([1.0, 2.0]))[0].tolist() == [False, True]
+
+
+@pytest.mark.shows("dynamic.no_more_than_required")
+@pytest.mark.parametrize("walls", [range(12), pytest.param(range(100), marks=pytest.mark.long)], ids=len)
+def test_that_a_wall_that_fails_shows_no_zeta_above_what_is_required(walls):
+    """At each multiplier required near zeta_E: where the rule fails there, or is at its limit, zeta is no more; where
+    it surely holds, no less."""
+    limited = 0
+    for k in walls:
+        model, motions, signs, demand = wall_of(k)
+        zeta = run_dynamic_check(model, motions, signs, demand, AUTO, other=False).zeta
+        for share in (0.9, 0.95, 0.99, 1.0, 1.03):
+            target = round(share * zeta, 4)
+            check = run_dynamic_check(model, motions, signs, replace(demand, zeta_target=target), AUTO)
+            row = check.as_check(target)
+            limited += row.passed is False and row.zeta == target
+            for one in (check, check.zeta_other):
+                if one is None or one.zeta is None:
+                    continue
+                passed = one.passed and not (one.spread if one is check.zeta_other else one.zeta_spread)[0] <= target
+                assert (one.zeta >= target) if passed else (one.zeta <= target)
+            assert check.zeta_16 <= max(check.zeta, target)
+    assert limited > 0.3 * len(walls)

@@ -67,9 +67,10 @@ def test_that_each_row_turned_has_the_zeta_of_the_table(case, row):
     rows = result.walls[result.verdicts[0].governing].assessment.verdict.assumptions
     switched = [one for one in rows if one.has_switch]
     assert switched
-    made = len(memory.found)
     for one in switched:
+        made = len(memory.found)
         found = run_at_alternatives(result, [one], memory)
         zetas = (None,) if found is None else {check.zeta for check in found.checks}
         assert one.zeta in zetas, one.key
-    assert len(memory.found) == made  # all of them were made for the table
+        by_histories = found is not None and found.decides.name == "dynamic"
+        assert len(memory.found) == made or not by_histories  # what the table has of the histories was made for it

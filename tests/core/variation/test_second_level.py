@@ -16,7 +16,7 @@ from core.setting.floors import MIN_STOREY
 from core.study.run import run
 from core.study.wall_verdict import collect_assumptions
 from core.variation import assumptions
-from core.variation.evaluate import evaluate
+from core.variation.evaluate import DECISION, evaluate
 from core.variation.second_level import find_unasked_range, unasked_inputs
 from tests.clauses_alone import parse_case
 from tests.core.variation.one_evaluation import BARE, NTC, WALL, scene_of
@@ -216,7 +216,7 @@ def test_that_the_rows_written_are_those_of_searches_to_their_end(first, monkeyp
     for table in random_tables(8 if first == 40 else 60, histories=True, first=first):
         case = parse_case(table)
         rows = []
-        for precision in (Precision(enough=1.02), Precision()):
+        for precision in (DECISION, Precision()):
             monkeypatch.setattr(assumptions, "DECISION", precision)
             try:
                 result = run(case, base_dir=Path())
