@@ -262,7 +262,8 @@ def _risk_line(book: Book, risk) -> str:
 def _method_row(book: Book, sheet, row: int, label: str, clause: str, values, decides: bool, no_outcome=False) -> None:
     q, capacity, demand, unit, zeta, passed = values
     color = INK if decides else QUIET
-    text(sheet, row, 1, label, color=color)
+    text(sheet, row, 1, label, color=color, wrap=True)
+    heighten(sheet, row, (label, COLUMN_WIDTHS[0]))
     text(sheet, row, 2, clause, color=QUIET, size=8)
     for column, value, shape in (
         (3, q, RATIO),
