@@ -35,19 +35,19 @@ class CheckCache:
         cancelled: Callable[[], bool] = lambda: False,
     ) -> DynamicCheck | None:
 
-        def key_of(asked: Precision) -> str:
+        def make_key(asked: Precision) -> str:
             return check_key(model, motions, polarities, demand, method, asked, other)
 
         to_the_end = precision._replace(enough=None)
         for asked in dict.fromkeys((to_the_end, precision)):
-            known = dataclass_from_json(DynamicCheck, self.journal.get(key_of(asked))) if self.journal else None
+            known = dataclass_from_json(DynamicCheck, self.journal.get(make_key(asked))) if self.journal else None
             if known is not None:
                 return known
         check = run_dynamic_check(model, motions, polarities, demand, method, precision, other, cancelled)
         if check is not None:
             self.made += 1
             if self.journal:  # a search that ended before what is enough is one to its end
-                self.journal.add(key_of(precision if check.beyond else to_the_end), asdict(check))
+                self.journal.add(make_key(precision if check.beyond else to_the_end), asdict(check))
         return check
 
 

@@ -67,7 +67,7 @@ def evaluate_assumptions(
 
     if not evaluation.satisfied:
         return tuple(known(found).row for found in looked if found.row.turns_q)
-    if _may_turn_together([found.row for found in looked if found.row.open], evaluation):
+    if _may_turn_together([found.row for found in looked if found.row.open]):
         looked = [known(found) if found.row.open else found for found in looked]
     rows = _together(
         [found.row for found in looked],
@@ -81,11 +81,9 @@ def evaluate_assumptions(
     return tuple(rows)
 
 
-def _may_turn_together(unshown: list[Assumption], evaluation: Evaluation) -> bool:
-    """Whether rows that nobody shows may turn a check together that none of them turns alone."""
-    q_check = evaluation.made("linear_q_code")
-    by_q = bool(q_check and q_check.passed) and not any(row.turns_q for row in unshown)
-    return len(unshown) > 1 and (by_q or not any(row.turns for row in unshown))
+def _may_turn_together(unshown: list[Assumption]) -> bool:
+    """Whether rows that nobody shows may turn together what none of them turns alone."""
+    return len(unshown) > 1 and not any(row.turns for row in unshown)
 
 
 class LookedAt(NamedTuple):
@@ -244,21 +242,20 @@ def _together(
     evaluation: Evaluation,
     cancelled: Callable[[], bool],
 ) -> list[Assumption]:
-    """The rows; where none that nobody shows turns a check alone, and all of these do together, each of them does, and
-    the last row is of all of them.
+    """The rows; where none that nobody shows turns the outcome alone, and all of these do together, each of them does,
+    and the last row is of all of them.
 
     worst : (row, change to the end with the lowest zeta) of each
     """
     decides, q_check = require_value(evaluation.decides), evaluation.made("linear_q_code")
     unshown = [pair for pair in worst if pair[0].open]
     keys = tuple(dict.fromkeys(row.key for row, _ in unshown))
-    asked = not any(row.turns for row, _ in unshown)
-    asked_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unshown)
-    if len(unshown) < 2 or not (asked or asked_q):
+    if not _may_turn_together([row for row, _ in unshown]):
         return rows
-    end = _evaluate_at(evaluation, _all_of(change for _, change in unshown), asked, cancelled)
-    joint = asked and _turns(end, decides)
-    joint_q = asked_q and q_check is not None and _turns(end, q_check)
+    by_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unshown)
+    end = _evaluate_at(evaluation, _all_of(change for _, change in unshown), True, cancelled)
+    joint = _turns(end, decides)
+    joint_q = by_q and q_check is not None and _turns(end, q_check)
     rows = [
         replace(row, turns=row.turns or joint, turns_q=row.turns_q or joint_q) if row.key in keys else row
         for row in rows
