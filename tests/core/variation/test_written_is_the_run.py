@@ -201,7 +201,7 @@ def test_that_what_is_written_of_a_changed_wall_is_its_run(kind, walls):
 
 @pytest.mark.long
 def test_that_it_is_so_under_records_too():
-    (table,) = random_tables(1, histories=True, first=47)
+    (table,) = random_tables(1, histories=True, first=40)
     assert check_raised(table) + check_bound(table) > 1
 
 
