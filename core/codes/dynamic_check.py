@@ -100,6 +100,7 @@ class DynamicCheck:
     zeta_other : the check with FC on the other side; None where FC is 1
     not_counted : records too weak beside the others to count for the rule of the set
     beyond : zeta is at least this: more was not asked for
+    limited : zeta is what is required, for the rule fails there, or is at its limit, and holds again above
     """
 
     limit_state: str
@@ -123,6 +124,7 @@ class DynamicCheck:
     not_counted: tuple[str, ...] = ()
     branch: Any = None
     beyond: bool = False
+    limited: bool = False
 
     @property
     def peak_ratio(self) -> float | None:
@@ -351,6 +353,7 @@ def run_dynamic_check(
         share_failing_at_demand=zeta_found.share_at_target,
         zeta_other=second,
         beyond=zeta_found.beyond,
+        limited=zeta_found.limited,
         not_counted=tuple(
             motion.name for motion, counts in zip(motions, counted_mask(motions, demand), strict=True) if not counts
         ),
@@ -364,8 +367,8 @@ def limit_to_required(found: ZetaSearchResult, target: float) -> ZetaSearchResul
         return found
     if not found.holds_at_target:
         low, high, sixteen = (min(value, target) for value in (*found.spread, require_value(found.sixteen)))
-        return replace(found, half=target, sixteen=sixteen, spread=(low, high))
-    return replace(found, half=target) if found.spread[0] <= target else found
+        return replace(found, half=target, sixteen=sixteen, spread=(low, high), limited=True)
+    return replace(found, half=target, limited=True) if found.spread[0] <= target else found
 
 
 AROUND = 1.0, 1.03

@@ -33,8 +33,8 @@ the multipliers at which 45 % and 55 % fail (`run.py bench --zeta`)."""
 
 SPARSE = 16
 """Points of the grid from one to the next that are analysed first. Those between are left out where the peaks at both
-ends stay below ROCKS: no zeta of 130 sets, searched point by point at 8 places of the grid, is another with ROCKS up to
-0.30."""
+ends stay below ROCKING_PEAK_RATIO: no zeta of 130 sets, searched point by point at 8 places of the grid, is another
+with one up to 0.30."""
 
 SPARSE_ROCKING = 4
 """Points of the grid from one to the next that are analysed first beside one at which a run rocks."""
@@ -68,7 +68,8 @@ RUN = Precision()
 class ZetaSearchResult:
     """zeta_E, zeta_16, zeta_first, and the spread of zeta_E (None where a run has no number), the share failing
     around the target, whether the rule holds at the target itself, and whether it fails there by runs with a number;
-    beyond : zeta_E is at least this, as far as was looked."""
+    beyond : zeta_E is at least this, as far as was looked; limited : it is what is required, above which more was
+    found."""
 
     half: float | None
     sixteen: float | None
@@ -78,6 +79,7 @@ class ZetaSearchResult:
     holds_at_target: bool
     fails_at_target: bool
     beyond: bool = False
+    limited: bool = False
 
 
 class _Grid:
@@ -131,9 +133,10 @@ class _Grid:
 def search_zeta(failures, rest: float, target: float, precision: Precision = RUN) -> ZetaSearchResult:
     """Search zeta_E, at which a rule fails.
 
-    failures(multipliers) : flags of failure, of unknown outcome, and of a peak of ROCKS or more at each
+    failures(multipliers) : flags of failure, of unknown outcome, and of a peak of ROCKING_PEAK_RATIO or more at each
     rest : below this multiplier the rule holds
-    target : a multiplier of the grid
+    target : a multiplier of the grid, target (1 + MULTIPLIER_STEP)^k
+    precision : which of its points are looked at, and up to where
     Where the rule never fails up to MAX_MULTIPLIER, or to what is enough, that. From a whole window of points without a
     failure below the first one on, all points are analysed.
     """

@@ -83,7 +83,11 @@ def _with_interval(
 ) -> Work:
     """Add to a verdict the interval of its records, that of the worst hinge; kept in the journal."""
     worst = results[verdict.governing]
-    if _zeta(worst) is None or (len(plan.case.wall) > MAX_WALLS_WITH_INTERVAL and plan.case.sensitivity is None):
+    dynamic = worst.assessment.dynamic if worst.assessment else None
+    # where a wall fails at what is required and stands above, the share of multipliers around says nothing of a sample
+    if dynamic is None or dynamic.zeta is None or dynamic.limited:
+        return verdict
+    if len(plan.case.wall) > MAX_WALLS_WITH_INTERVAL and plan.case.sensitivity is None:
         return verdict
     by_name = yield Batch({"interval": lambda stop: _interval(plan, worst, demand, journal, stop)})
     return replace(verdict, interval=by_name["interval"])

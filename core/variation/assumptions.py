@@ -89,7 +89,7 @@ def _may_turn_together(unshown: list[Assumption]) -> bool:
 class LookedAt(NamedTuple):
     """An input whose other ends were looked at.
 
-    row : of the table; end : that it shows; known : its numbers are those of searches to their end
+    one : the input; row : of the table; end : that it shows; known : its numbers are those of searches to their end
     """
 
     one: FavourableInput

@@ -41,8 +41,8 @@ failed."""
 
 
 FULL_PRECISION, COARSE_PRECISION, DECISION = RUN, Precision(every=4), Precision(enough=1.05)
-"""Of zeta of histories: as it is written; under the hand, two digits that are said with "about"; where it is asked
-whether a wall passes, not by how much."""
+"""How zeta of histories is searched: as it is written; as it is shown under the hand, two digits with "about"; as far
+as tells whether a wall passes, not by how much."""
 
 FINEST = 1
 """Every how many points of its grid zeta is searched at the least."""

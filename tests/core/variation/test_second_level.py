@@ -9,8 +9,10 @@ from core.case import rules
 from core.case.asked import ASKED, NOT_ASKED
 from core.case.asked import WALL as WALL_SECTION
 from core.codes.assumption import ALL_TOGETHER_KEY
+from core.codes.kinematic import ZETA_ROUNDING
 from core.codes.masonry_types import least_strength
 from core.codes.multiplier_search import Precision
+from core.codes.outcomes import FAILS, OUTCOMES, PASSES
 from core.errors import InputError
 from core.setting.floors import MIN_STOREY
 from core.study.run import run
@@ -226,3 +228,31 @@ def test_that_the_rows_written_are_those_of_searches_to_their_end(first, monkeyp
         assert not rows or rows[0] == rows[1]
         seen += sum(map(len, rows[0])) if rows else 0
     assert seen > 0
+
+
+@pytest.mark.shows("dynamic.no_more_than_required")
+@pytest.mark.parametrize("walls", [10, pytest.param(80, marks=pytest.mark.long)])
+def test_that_no_wall_that_fails_withstands_more_than_is_required(walls):
+    """Random walls under records: zeta of what decides and of all, PGA_C and each limit state, of a wall that fails no
+    more than what is required; of one that passes no less."""
+    seen = set()
+    for table in random_tables(walls, histories=True, first=900):
+        try:
+            result = run(parse_case(table), base_dir=Path())
+        except InputError:
+            continue
+        target, pga = result.demand.zeta_target, result.demand.pga
+        for verdict in result.verdicts:
+            assessment = result.walls[verdict.governing].assessment
+            judgement, zeta = OUTCOMES[assessment.verdict.code].judgement, assessment.verdict.zeta_e
+            seen.add(judgement)
+            if judgement == FAILS:
+                assert zeta is None or zeta <= target
+                assert verdict.zeta_least is None or verdict.zeta_least <= target
+                assert verdict.risk is None or verdict.risk.pga <= target * pga * (1.0 + 1e-9)
+            if judgement == PASSES:
+                assert zeta >= target - ZETA_ROUNDING and verdict.zeta_least >= target - ZETA_ROUNDING
+            for state in verdict.states.values():
+                if state.code in OUTCOMES and OUTCOMES[state.code].judgement == FAILS and state.zeta is not None:
+                    assert state.zeta <= target
+    assert FAILS in seen and len(seen) > 1
