@@ -171,7 +171,7 @@ def hinge_text(wall: WallResult) -> str:
     """Where a result turns, and how."""
     if (arch := wall.wall.in_si.arch) is not None:
         return f"L {number(arch.spacing, 'g')} m, {result_word(wall.mechanism)}"
-    ends = [wall.part.hinge, *([] if wall.part.top is None else [wall.part.top])]
+    ends = [round(height, 2) for height in (wall.part.hinge, wall.part.top) if height is not None]
     where = f"+{'–'.join(number(end, 'g') for end in ends)} m, {result_word(wall.mechanism)}"
     return f"{wall.part.aspect}, {where}" if wall.part.aspect else where
 

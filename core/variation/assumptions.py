@@ -144,7 +144,8 @@ def look_at(
         raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(told.zeta),
         check="" if told.name == decides.name else told.name,
     )
-    return LookedAt(one, row, one.ends[lowest], not any(end is not None and end.beyond for end in ends))
+    written = ends if one.each_written else [ends[lowest]]
+    return LookedAt(one, row, one.ends[lowest], not any(end is not None and end.beyond for end in written))
 
 
 def _lowered_by_clauses(ends: AlternativeEvaluations, evaluation: Evaluation) -> bool:

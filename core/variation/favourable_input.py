@@ -45,6 +45,7 @@ class FavourableInput:
     words : from zeta of each end, and its check, the Sentence; by default that of the end with the lowest zeta
     source, permitted : as of an Assumption
     histories : the dynamic check knows of it; otherwise its words are of the linear check
+    each_written : its words give zeta at each end, not at the lowest alone
     """
 
     code: str
@@ -56,6 +57,7 @@ class FavourableInput:
     source: str = GIVEN
     histories: bool = True
     permitted: bool = False
+    each_written: bool = False
 
     @property
     def clause(self) -> str:

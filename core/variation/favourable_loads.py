@@ -165,7 +165,7 @@ def favourable_ties_and_forces(scene: CheckInput, clauses: bool) -> Iterator[Fav
         words = lambda zetas, check: sentence(  # noqa: E731
             "reason", "lift_slack", zeta_taut=Number(zetas[0]), zeta=Number(zetas[1]), check=check_phrase(check)
         )
-        yield FavourableInput("lift_slack", "slack_mm", of_ties, GIVEN_WORD, ends, words)
+        yield FavourableInput("lift_slack", "slack_mm", of_ties, GIVEN_WORD, ends, words, each_written=True)
     if any(map(_anchorage_open, given)):
         end = Alternative(_drop_ties(_anchorage_open), _no_ties())
         unsaid = sentence("accepted", "missing")

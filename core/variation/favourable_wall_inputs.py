@@ -91,6 +91,7 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
                 theory=ratio,
                 zeta_theory=Number(zetas[1]),
             ),
+            each_written=True,
         )
     if dynamic:
         yield from _of_the_law(evaluation)
