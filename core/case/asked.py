@@ -64,6 +64,7 @@ ASKED = {
     "lift_life": AskedInput("NTC 2018 2.4", DEMAND, ("nominal_life_years",), STATED),
     "lift_outside_italy": AskedInput("NTC 2018 3.2", DEMAND, ("f0", "tc_star_s"), MEASURED),
     "lift_spectrum": AskedInput("NTC 2018 3.2.3.2", DEMAND, ("spectrum",), STATED),
+    "lift_annex": AskedInput("EN 1998-1 3.2.2.2", DEMAND, ("spectrum",), STATED),
     "lift_type": AskedInput("EN 1998-1 3.2.2.2", DEMAND, ("spectrum",), STATED),
     "lift_scatter": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
     "lift_alike": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),

@@ -14,6 +14,7 @@ multiplier_search.py.
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -42,6 +43,9 @@ ONE_BY_ONE = 2
 
 MIN_BATCHED = 16
 """Multipliers below which all records are analysed at once: a lane more costs less than another pass."""
+
+REST_ROUNDING = 1e-9
+"""What is left below a_RM for rounding: a run nearer to it is integrated [-]."""
 
 CLAUSE = "C8.7.1.2.1.9"
 
@@ -206,20 +210,22 @@ class DemandRuns:
         self.together = [[k for k in order if self.motions[k].time_step == dt] for dt in steps]
 
     def analyse(self, batch: list[int], multipliers: np.ndarray):
-        """Integrate a batch at these multipliers; returns outcomes and peaks over theta_c, shape (records, signs,
-        multipliers). batch : records of one time step"""
+        """Integrate a batch at these multipliers, but for runs whose ground does not move the wall; returns outcomes
+        and peaks over theta_c, shape (records, signs, multipliers). batch : records of one time step"""
         grounds = self.grounds[batch[0]][0]
         signed = np.outer([self.ground_factors[k] for k in batch], np.array(self.polarities, float))
-        scales = np.multiply.outer(signed, multipliers).ravel()
-        which = np.repeat([self.grounds[k][1] for k in batch], scales.size // len(batch))
+        every = np.multiply.outer(signed, multipliers)
+        moves = multipliers > self.at_rest[batch, :, None]
+        scales, which = every[moves], np.array([self.grounds[k][1] for k in batch])[np.nonzero(moves)[0]]
         codes, reached = np.empty(scales.size, np.int64), np.empty(scales.size)
         for start in range(0, scales.size, CHUNK):
             if self.cancelled():
                 raise Cancelled
             part = slice(start, start + CHUNK)
             scan_records(self.method, grounds, which[part], scales[part], self.model, codes[part], reached[part])
-        shape = (len(batch), len(self.polarities), multipliers.size)
-        return codes.reshape(shape), reached.reshape(shape) / self.model.collapse_rotation
+        outcomes, peaks = np.full(every.shape, STABLE, np.int64), np.zeros(every.shape)
+        outcomes[moves], peaks[moves] = codes, reached / self.model.collapse_rotation
+        return outcomes, peaks
 
     def runs(self) -> tuple[DemandRun, ...]:
         """Every record and sign at the demand itself."""
@@ -272,12 +278,25 @@ class DemandRuns:
     @property
     def rest(self) -> float:
         """Multiplier up to which the wall does not move, or, trilinear, from which the search starts."""
-        threshold = threshold_of(self.model)
-        least = min(
-            multiplier_of(1.0, factor * motion.pga, threshold)
-            for motion, factor in zip(self.motions, self.ground_factors, strict=True)
-        )
+        most = max(factor * motion.pga for motion, factor in zip(self.motions, self.ground_factors, strict=True))
+        least = multiplier_of(1.0, most, threshold_of(self.model))
         return least * (1.0 if self.model.plateau_end == 0.0 else TRILINEAR_FLOOR)
+
+    @cached_property
+    def at_rest(self) -> np.ndarray:
+        """Multiplier of each record and sign up to which it does not move the wall, shape (records, signs): of a wall
+        that turns one way by what pushes it that way. A trilinear one always moves."""
+        if self.model.plateau_end != 0.0:
+            return np.zeros((len(self.motions), len(self.polarities)))
+        pushes = [
+            [
+                factor * (motion.pga if self.model.one_sided == 0.0 else (sign * motion.acceleration).max())
+                for sign in self.polarities
+            ]
+            for motion, factor in zip(self.motions, self.ground_factors, strict=True)
+        ]
+        with np.errstate(divide="ignore"):
+            return (1.0 - REST_ROUNDING) * threshold_of(self.model) / np.maximum(pushes, 0.0)
 
 
 def run_dynamic_check(

@@ -1,6 +1,8 @@
 """Elastic spectra of the demand: NTC 2018 3.2.3.2.1, the branches of every code, or a file of two columns."""
 
 import math
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -175,9 +177,38 @@ def ntc2018(ag: float, f0: float, tc_star: float, soil: str, topography: str) ->
     return CodeSpectrum(f"NTC 2018, {soil}, {topography}", ag, factor, f0, t_c / 3.0, t_c, t_d)
 
 
-def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) -> GivenSpectrum:
-    """A spectrum of (period [s], S_e [m/s2]) rows. Raises InputError for fewer than 5 rows, periods not
-    rising, values not positive, or a range that does not hold 0.1 to 2.5 s."""
+LEAST_AMPLIFICATION, MOST_AMPLIFICATION = 2.2, 6.0
+"""Largest ordinate of an elastic spectrum over a_g S [-]: F_0 is at least 2.2 (NTC 2018, 3.2.3.2.1)."""
+
+START_AGREES, PLATEAU_AGREES = 0.05, 0.01
+"""How near the start of a spectrum comes to a_g S, and its largest ordinate to the least amplification, as printed."""
+
+FLOOR_OF_DESIGN, FLOOR_SPAN = (0.19, 0.21), 1.25
+"""S_d of a design spectrum never falls below 0.2 a_g (NTC 2018 3.2.3.5; EN 1998-1, 3.2.2.5): ordinates over a_g that
+stay, over periods in this ratio, over which those of an elastic spectrum fall by a fifth at the least."""
+
+Q_IN_HEAD = re.compile(r"\bq\s*[=:]?\s*(\d+(?:[.,]\d+)?)")
+DESIGN_IN_HEAD = re.compile(
+    r"\b[sS]pettr\w+ di progetto|SPETTR\w+ DI PROGETTO|\b[dD]esign spectr|DESIGN SPECTR|\bS_?d\b|"
+    r"\b[bB]ehaviou?r factor|\b[fF]attore di (?:struttura|comportamento)"
+)
+"""Words and symbols by which the head of a file calls its spectrum one of design."""
+
+
+def check_head(head: Sequence[str]) -> None:
+    """Raise InputError where a line above the numbers says that they are a design spectrum: a factor q above 1, or,
+    with none, its name or symbol."""
+    factors = [float(found[1].replace(",", ".")) for line in head for found in Q_IN_HEAD.finditer(line)]
+    named = next((line for line in head if DESIGN_IN_HEAD.search(line)), None)
+    reduced = next((line for line in head if Q_IN_HEAD.search(line)), None) if max(factors, default=1.0) > 1.0 else None
+    words = reduced or (None if factors else named)
+    if words is not None:
+        raise InputError("spectrum_of_design", words=words.strip()[:60])
+
+
+def given(name: str, ag: float, soil: float, rows: Sequence[tuple[float, float]]) -> GivenSpectrum:
+    """A spectrum of (period [s], S_e [m/s2]) rows. Raises InputError for fewer than 5 rows, periods not rising, values
+    not positive, a range that does not hold 0.1 to 2.5 s, and for what is no elastic spectrum of a_g S."""
     periods = tuple(row[0] for row in rows)
     values = tuple(row[1] for row in rows)
     if len(rows) < 5:
@@ -190,8 +221,23 @@ def given(name: str, ag: float, soil: float, rows: list[tuple[float, float]]) ->
     if periods[0] > 0.1 or periods[-1] < 2.5:
         raise InputError("spectrum_range", low=periods[0], high=periods[-1], place=(name,))
     spectrum = GivenSpectrum(name, ag, soil, periods, values)
-    if periods[0] <= 0.01 and abs(values[0] / spectrum.pga - 1.0) > 0.05:
+    if periods[0] <= 0.01 and abs(values[0] / spectrum.pga - 1.0) > START_AGREES:
         raise InputError("spectrum_start", start=values[0] / G, pga=spectrum.pga / G, place=(name,))
-    if not 1.2 <= max(values) / spectrum.pga <= 6.0:
-        raise InputError("spectrum_largest", largest=max(values) / G, ratio=max(values) / spectrum.pga, place=(name,))
+    if values[0] < (1.0 - START_AGREES) * spectrum.pga:  # it rises from a_g S to its plateau
+        found = {"start": values[0] / G, "pga": spectrum.pga / G, "period": periods[0]}
+        raise InputError("spectrum_begins", place=(name,), **found)
+    ratio = max(values) / spectrum.pga
+    if not LEAST_AMPLIFICATION * (1.0 - PLATEAU_AGREES) <= ratio <= MOST_AMPLIFICATION:
+        limits = {"least": LEAST_AMPLIFICATION, "most": MOST_AMPLIFICATION}
+        raise InputError("spectrum_largest", largest=max(values) / G, ratio=ratio, place=(name,), **limits)
+    if _has_floor(spectrum):
+        raise InputError("spectrum_floor", floor=values[-1] / G, ag=ag / G, place=(name,))
     return spectrum
+
+
+def _has_floor(spectrum: GivenSpectrum) -> bool:
+    """Whether a spectrum ends at the floor of a design spectrum."""
+    last = spectrum.values[-1]
+    flat = [t for t, value in zip(spectrum.periods, spectrum.values, strict=True) if abs(value / last - 1.0) < 1e-3]
+    low, high = FLOOR_OF_DESIGN
+    return low <= last / spectrum.ag <= high and flat[-1] >= FLOOR_SPAN * flat[0]

@@ -126,6 +126,7 @@ def make_verdict(
     lower_bound: float | None,
     own_limits: tuple[Sentence, ...] = (),
     assumed: tuple[Assumption, ...] = (),
+    unlooked: tuple[Sentence, ...] = (),
 ) -> Verdict:
     """The verdict from the checks of a wall, the most refined first.
 
@@ -133,12 +134,14 @@ def make_verdict(
         of a wall no longer held at its top [-], or None
     own_limits : Sentences on the checks and on the floor of a wall above the ground
     assumed : what raises zeta and is not measured
+    unlooked : why that was not looked at
     """
     wall, demand, dynamic = seen.wall, seen.demand, seen.dynamic
     missing, threshold = missing_input_remark(seen), _threshold(seen)
     unfounded = [
         row.words for row in assumed if (row.turns and row.open) or (row.turns and row.key == ALL_TOGETHER_KEY)
     ]
+    unfounded += unlooked
     blocking = [*indicative_reasons(seen), *unfounded, *unconfirmed_remark(seen)]
     agrees = passes_with_q2(seen.made("linear_q_code"), demand.zeta_target)
     rests_on = [Key(row.key) for row in assumed if row.turns_q and row.open] if agrees else []

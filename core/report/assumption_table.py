@@ -2,11 +2,11 @@
 
 from collections.abc import Callable
 
-from core.codes.assumption import ALL_TOGETHER_KEY, format_value
+from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
 from core.report.verdict_words import names_in
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import collect_assumptions
-from core.text.sentence import format_number, word
+from core.text.sentence import Number, format_number, sentence, word
 
 COLUMN_SHARES = 2.4, 2.0, 1.3, 2.0, 0.9, 1.9, 2.2
 """Relative widths of the columns."""
@@ -37,12 +37,18 @@ def rows_of(result: StudyResult, wall: WallResult, language: str) -> list[tuple[
             format_value(row, row.value, language),
             "" if last else word(f"source_{row.source}", language),
             format_value(row, row.other_end, language),
-            format_number(row.zeta, ".2f", language),
+            format_number(row.zeta, ".2f", language)
+            + (f" ({_check_name(result, row, language)})" if row.check else ""),
             word(row.outcome, language),
             format_value(row, row.reason, language),
         ]
         rows.append((cells, row.turns))
     return rows
+
+
+def _check_name(result: StudyResult, row: Assumption, language: str) -> str:
+    """Name of the check whose zeta a row gives."""
+    return sentence("short", row.check, q=Number(result.demand_required.q_code, "g")).text(language)
 
 
 def tabled(wall: WallResult, language: str) -> set[str]:

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from core.capacity.limit_states import LIMIT_FRACTION
+from core.case.coordinates import parse_coordinates
 from core.case.hazard_table import read_hazard
 from core.case.number import parse_number
 from core.case.schema import Case, Generate
@@ -18,8 +19,9 @@ from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import SeismicDemand
 from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
+from core.codes.national_hazard import hazard_at
 from core.codes.record_compatibility import PERIOD_RANGE
-from core.codes.spectrum_codes import CODES
+from core.codes.spectrum_codes import CODES, NATIONAL
 from core.codes.target_spectrum import Target
 from core.errors import InputError, place, section
 from core.file_names import name_of
@@ -28,6 +30,7 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.scattered import TIME_STEP, scattered_set
 from core.quantities import foreign_unit
 from core.regular_file import TooLarge, read_regular
+from core.text.sentence import Key
 from core.units import CM, G
 
 MAX_SPECTRUM_BYTES = 1_000_000
@@ -43,7 +46,12 @@ def read_target_spectrum(asked: Demand, base_dir: Path) -> Target | None:
     ag = asked.ag_g * G
     if asked.spectrum_file:
         path = base_dir / name_of(asked.spectrum_file)
-        return target_spectrum.given(asked.spectrum_file, ag, asked.soil_factor or 1.0, _rows(path))
+        head, rows = _read_spectrum(path)
+        try:
+            target_spectrum.check_head(head)
+        except InputError as error:
+            raise error.at(path) from None
+        return target_spectrum.given(asked.spectrum_file, ag, asked.soil_factor or 1.0, rows)
     chosen = asked.spectrum
     if chosen is None:
         return None
@@ -57,8 +65,8 @@ def read_target_spectrum(asked: Demand, base_dir: Path) -> Target | None:
         raise error.at(section("[demand.spectrum]")) from None
 
 
-def _rows(path: Path) -> list[tuple[float, float]]:
-    """(period [s], S_e [m/s2]) of a file: two columns, s and g; a head of words is skipped."""
+def _read_spectrum(path: Path) -> tuple[list[str], list[tuple[float, float]]]:
+    """The lines of words above the numbers of a file, and its (period [s], S_e [m/s2]): two columns, s and g."""
     try:
         if not path.is_file():
             raise InputError("no_spectrum_file", place=(path,))
@@ -67,7 +75,8 @@ def _rows(path: Path) -> list[tuple[float, float]]:
         raise InputError("spectrum_too_large", place=(path,)) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
-    rows = []
+    head: list[str] = []
+    rows: list[tuple[float, float]] = []
     for k, line in enumerate(lines, start=1):
         parts = line.replace(";", " ").split()
         try:
@@ -80,9 +89,10 @@ def _rows(path: Path) -> list[tuple[float, float]]:
                 raise InputError("spectrum_units", unit=wrong[:40], place=(path, place("line", n=k))) from None
             if parts and (rows or parts[0][:1].isdigit()):
                 raise InputError("spectrum_line", text=line.strip()[:60], place=(path, place("line", n=k))) from None
+            head.append(line)
             continue
         rows.append((period, ordinate * G))
-    return rows
+    return head, rows
 
 
 def read_demand(case: Case, base_dir: Path) -> SeismicDemand | None:
@@ -94,6 +104,7 @@ def read_stated_demand(asked: Demand, base_dir: Path) -> SeismicDemand:
     """The demand but for an intensity that only records can give. Raises InputError."""
     hazard = read_hazard_rows(asked, base_dir)
     check_hazard(asked, hazard)
+    check_coordinates(asked)
     target = read_target_spectrum(asked, base_dir)
     ag = asked.ag_g * G
     soil = target.soil if target else asked.soil_factor or 1.0
@@ -192,6 +203,30 @@ def check_hazard(asked: Demand, hazard: tuple[HazardRow, ...]) -> None:
             raise InputError("hazard_above", place=(section("[demand]"),), life=life, **values)
         if not shortest and abs(given - stated) > digits:
             raise InputError("hazard_disagrees", place=(section("[demand]"),), **values)
+
+
+AT_COORDINATES = 0.05
+"""How far a_g, F_0 and T_C* may lie below those of the national grid at the coordinates of a demand [-]: coordinates
+are typed with few digits, and other programs take other ellipsoids."""
+
+
+def check_coordinates(asked: Demand) -> None:
+    """Raise InputError where the demand is below that of the national grid at its coordinates: a_g at its return
+    period, without one at the shortest of its limit state; F_0 and T_C* of a spectrum of NTC 2018 at its return
+    period. Of a place that is not of the grid, or text that is no coordinates, nothing is compared."""
+    try:
+        here = hazard_at(*parse_coordinates(asked.coordinates))
+    except InputError:
+        return
+    spectrum, years = asked.spectrum, asked.return_period or return_period(USUAL_LIVES[0], asked.limit_state)
+    stated = here.at(years)
+    pairs: list[tuple[str, float | None, float]] = [("ag_g", asked.ag_g, stated.ag_g)]
+    if spectrum is not None and spectrum.code == NATIONAL and asked.return_period is not None:
+        pairs += [("f0", spectrum.f0, stated.f0), ("tc_star_s", spectrum.tc_star_s, stated.tc_star_s)]
+    for key, typed, least in pairs:
+        if typed is not None and typed < (1.0 - AT_COORDINATES) * least:
+            values = {"given": typed, "stated": least, "years": years, "state": asked.limit_state}
+            raise InputError("elsewhere", key=key, place=(section("[demand]"),), section=Key("[site]"), **values)
 
 
 def hazard_covers(hazard: tuple[HazardRow, ...], years: float) -> bool:

@@ -7,8 +7,10 @@ from typing import NamedTuple
 
 from core.capacity.accuracy import Accuracy, make_accuracy
 from core.capacity.ida import Ida, Run, incremental_dynamic_analyses
+from core.case.hinges import best_way
 from core.case.hold import Hold
 from core.codes.demand import SeismicDemand
+from core.codes.outcomes import FAILS, OUTCOMES, way_key
 from core.codes.record_compatibility import Compliance
 from core.rocking.history import uses_lanes
 from core.setting.check_input import CheckInput
@@ -24,7 +26,8 @@ from core.study.wall_result import run_result, wall_result
 from core.study.wall_verdict import wall_verdicts
 from core.text.sentence import Number, sentence
 from core.threads import Batch, Work
-from core.variation.assessment import assess
+from core.variation.assessment import assess_evaluation
+from core.variation.evaluate import Evaluation, evaluate
 from core.variation.limit_states import check_limit_states
 from core.variation.measures import Measure
 
@@ -171,11 +174,19 @@ class _Wall:
         return replace(scene, q_slv=(wall.q_slv_safe_set, wall.q_slv_set))
 
     def _assessed(self, demand: SeismicDemand) -> Work:
-        """Make the checks at the demand."""
+        """Make the checks at the demand: first those of every hinge and mechanism, then what those that pass rest on,
+        but of a wall that fails."""
         given = self.given
 
+        def evaluation_of(k: int):
+            return lambda stop: evaluate(self._scene(k, demand), cancelled=stop)
+
+        evaluations = yield Batch({k: evaluation_of(k) for k in self.entries})
+        failing = self._find_failing(evaluations)
+
         def task(k: int):
-            return lambda stop: assess(self._scene(k, demand), stop)
+            elsewhere = self.entries[k].part.origin in failing
+            return lambda stop: assess_evaluation(evaluations[k], stop, elsewhere)
 
         def checked(k: int, assessment: Assessment) -> None:
             self.results[k] = replace(self.results[k], assessment=assessment)
@@ -183,6 +194,22 @@ class _Wall:
             given.progress.done(("check", k), self.elsewhere or self.kept[k].made > 0)
 
         yield Batch({k: task(k) for k in self.entries}, checked)
+
+    def _find_failing(self, evaluations: dict[int, Evaluation]) -> set[int]:
+        """Numbers of the walls of the case that fail about one of their hinges, in whichever way they are held."""
+        walls: dict[int, list[int]] = {}
+        for k, entry in self.entries.items():
+            walls.setdefault(entry.part.origin, []).append(k)
+
+        def fails(results: list[int]) -> bool:
+            def worst(numbers: list[int]) -> tuple:
+                found = [evaluations[results[n]] for n in numbers]
+                return way_key((one.outcome, one.zeta, one.scene.demand.zeta_target) for one in found)
+
+            counted = best_way([self.entries[k].part for k in results], worst)
+            return any(OUTCOMES[evaluations[results[n]].outcome].judgement == FAILS for n in counted)
+
+        return {origin for origin, results in walls.items() if fails(results)}
 
     def _at_limit_states(self, demand: SeismicDemand) -> Work:
         """Assess the wall at each limit state of the site."""

@@ -110,17 +110,25 @@ class Assessment:
 def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> Assessment:
     """Dynamic, kinematic and simplified checks of a wall (Circolare 7/2019 C8.7.1.2.1); above the ground none where
     the motion of its floor is not known. Raises Cancelled, and InputError where a spectrum ends too early."""
-    evaluation = evaluate(scene, cancelled=cancelled)
+    return assess_evaluation(evaluate(scene, cancelled=cancelled), cancelled)
+
+
+def assess_evaluation(
+    evaluation: Evaluation, cancelled: Callable[[], bool] = lambda: False, fails_elsewhere: bool = False
+) -> Assessment:
+    """`assess` of a wall whose checks are made. fails_elsewhere : about another hinge or by another mechanism, whatever
+    its inputs are: what an outcome here would rest on is not looked at, and it is indicative at the most"""
     scene = evaluation.scene
     kinematic, dynamic, demand = evaluation.kinematic, evaluation.dynamic, scene.demand
     if kinematic is None:
         return Assessment(None, (), None, None, make_verdict(evaluation.evidence, None))
-    unheld = _without_restraint(evaluation, cancelled) if evaluation.satisfied else None
+    unlooked = evaluation.satisfied and fails_elsewhere
+    passes = evaluation.satisfied and not unlooked
+    unheld = _without_restraint(evaluation, cancelled) if passes else None
     below = unheld.dynamic if unheld else None
     raised: tuple[Assumption, ...] = ()
-    if evaluation.zeta is not None and (
-        evaluation.satisfied or passes_with_q2(evaluation.made("linear_q_code"), demand.zeta_target)
-    ):
+    agrees = not unlooked and passes_with_q2(evaluation.made("linear_q_code"), demand.zeta_target)
+    if evaluation.zeta is not None and (passes or agrees):
         raised = evaluate_assumptions(evaluation, cancelled)
     limits, ratio = [one for one in (evaluation.lower_q_remark,) if one is not None], None
     if scene.floor is not None and scene.building is not None:
@@ -132,23 +140,24 @@ def assess(scene: CheckInput, cancelled: Callable[[], bool] = lambda: False) -> 
     limits += _branch_remark(evaluation)
     limits += _hold_remark(evaluation)
     limits += [*_of_bending(kinematic, scene.wall, dynamic is not None), *_of_ties_not_counted(evaluation)]
-    limits += _of_ties_that_lower(evaluation, cancelled)
+    limits += [] if unlooked else _of_ties_that_lower(evaluation, cancelled)
     limits += _of_a_thicker_wall(evaluation)
     unasked = find_unasked_range(evaluation) if evaluation.zeta is not None else None
     limits += [unasked.words] if unasked else []
-    bound, passes = None, None
-    if evaluation.satisfied:
+    bound, stands = None, None
+    if passes:
         free = unheld or _overturning(scene, cancelled)
-        bound, passes = (free.zeta, free.satisfied) if free else (None, None)
+        bound, stands = (free.zeta, free.satisfied) if free else (None, None)
         if free is not None and dynamic is None and free.satisfied and not scene.wall.kinematics.arches:
-            free, passes = None, False  # that it overturns only histories say, which lower zeta of the clauses
+            free, stands = None, False  # that it overturns only histories say, which lower zeta of the clauses
         if bound is not None or scene.wall.kinematics.one_way or scene.wall.bends:
             raised = (*raised, _of_the_restraint(evaluation, free))
         if (arch := kinematic.wall.arch) is not None:
             raised = (*raised, _of_the_arch(evaluation, arch))
-    said = make_verdict(evaluation.evidence, bound, tuple(limits), raised)
+    why = (sentence("reason", "fails_elsewhere"),) if unlooked else ()
+    said = make_verdict(evaluation.evidence, bound, tuple(limits), raised, why)
     parts = (kinematic, evaluation.checks, dynamic, below, said, unasked, ratio, _capacity(evaluation))
-    return Assessment(*parts, bound_passes=passes, reactions=find_reactions(evaluation))
+    return Assessment(*parts, bound_passes=stands, reactions=find_reactions(evaluation))
 
 
 def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:

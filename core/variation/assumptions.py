@@ -13,7 +13,7 @@ from core.codes.verdict import find_outcome
 from core.errors import InputError
 from core.known import require_value
 from core.text.sentence import Key, Number, sentence
-from core.variation.evaluate import DECISION, FULL_PRECISION, Evaluation, evaluate
+from core.variation.evaluate import DECISION, FULL_PRECISION, Evaluation, evaluate, up_to
 from core.variation.favourable_input import (
     LOAD_AND_MASONRY_KEYS,
     Alternative,
@@ -89,7 +89,8 @@ def _may_turn_together(unshown: list[Assumption]) -> bool:
 class LookedAt(NamedTuple):
     """An input whose other ends were looked at.
 
-    one : the input; row : of the table; end : that it shows; known : its numbers are those of searches to their end
+    one : the input; row : of the table, of an input that turns the check with q alone with the numbers of that check
+    end : with the lowest zeta of the check that decides; known : its numbers are those of searches to their end
     """
 
     one: FavourableInput
@@ -116,19 +117,20 @@ def look_at(
     judged = [check for check in (decides if touched else None, q_check) if check is not None]
     if not judged:
         return None
-    ends = [_evaluate_at(evaluation, end.change, touched, cancelled, precision) for end in one.ends]
+    ends = _evaluate_ends(evaluation, one, touched, cancelled, precision)
     turning = any(_turns(end, check) for end in ends for check in judged)
     if not turning and not _lowered_by_clauses(ends, evaluation):
         ends = [
             _evaluate_at(evaluation, one.ends[k].change, touched, cancelled) if end and end.beyond else end
             for k, end in enumerate(ends)
         ]
-    told = _told(one, judged, ends, evaluation) if passes else q_check
-    if told is None:
-        return None
-    zetas = [_zeta(end, told) for end in ends]
-    lowest = min(range(len(zetas)), key=lambda k: (zeta_for_sorting(zetas[k]), _by_clause(ends[k])))
     turns = {check.name for check in judged if any(_turns(end, check) for end in ends)}
+    of_outcome = _told(one, judged, ends, evaluation) if passes else q_check
+    if of_outcome is None:
+        return None
+    worst = _lowest(ends, of_outcome)
+    told = q_check if q_check and turns == {q_check.name} else of_outcome
+    zetas, lowest = [_zeta(end, told) for end in ends], _lowest(ends, told)
     row = Assumption(
         one.key,
         one.phrase(zetas, told),
@@ -145,7 +147,37 @@ def look_at(
         check="" if told.name == decides.name else told.name,
     )
     written = ends if one.each_written else [ends[lowest]]
-    return LookedAt(one, row, one.ends[lowest], not any(end is not None and end.beyond for end in written))
+    known = told.name != decides.name or not any(end is not None and end.beyond for end in written)
+    return LookedAt(one, row, one.ends[worst], known)
+
+
+def _lowest(ends: AlternativeEvaluations, check: Check) -> int:
+    """Number of the end with the lowest zeta of a check, of several that of the displacement check."""
+    return min(range(len(ends)), key=lambda k: (zeta_for_sorting(_zeta(ends[k], check)), _by_clause(ends[k])))
+
+
+def _evaluate_ends(
+    evaluation: Evaluation,
+    one: FavourableInput,
+    by_histories: bool,
+    cancelled: Callable[[], bool],
+    precision: Precision,
+) -> AlternativeEvaluations:
+    """The wall at each end of an input, the worst by the clauses first: once the check that decides fails at one, of
+    the others only a lower zeta counts, unless each is written."""
+    decides, target = require_value(evaluation.decides), evaluation.scene.demand.zeta_target
+    by_clauses = [0.0]
+    if len(one.ends) > 1:
+        by_clauses = [_by_clause(_evaluate_at(evaluation, end.change, False, cancelled)) for end in one.ends]
+    ends: AlternativeEvaluations = [None] * len(one.ends)
+    lowest = None
+    for k in sorted(range(len(ends)), key=lambda k: by_clauses[k]):
+        looked = precision if one.each_written else up_to(lowest, precision, target)
+        ends[k] = end = _evaluate_at(evaluation, one.ends[k].change, by_histories, cancelled, looked)
+        zeta = _zeta(end, decides)
+        if by_histories and zeta is not None and _turns(end, decides) and (lowest is None or zeta < lowest):
+            lowest = zeta
+    return ends
 
 
 def _lowered_by_clauses(ends: AlternativeEvaluations, evaluation: Evaluation) -> bool:
@@ -254,7 +286,8 @@ def _together(
     if not _may_turn_together([row for row, _ in unshown]):
         return rows
     by_q = bool(q_check and q_check.passed) and not any(row.turns_q for row, _ in unshown)
-    end = _evaluate_at(evaluation, _all_of(change for _, change in unshown), True, cancelled)
+    together = _all_of(change for _, change in unshown)
+    end = _evaluate_at(evaluation, together, True, cancelled, DECISION)  # beyond what is enough it turns nothing
     joint = _turns(end, decides)
     joint_q = by_q and q_check is not None and _turns(end, q_check)
     rows = [

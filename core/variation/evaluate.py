@@ -19,15 +19,17 @@ from core.codes.kinematic import (
     make_kinematic_checks,
 )
 from core.codes.limits import counted_stations
-from core.codes.multiplier_search import RUN, Precision
+from core.codes.multiplier_search import MULTIPLIER_STEP, RUN, SPARSE, Precision
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key
 from core.codes.verdict import find_outcome
 from core.codes.vertical_bending import uplift_multiplier
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
+from core.known import require_value
 from core.setting.check_input import CheckInput
 from core.setting.held_shares import find_push
 from core.text.sentence import Sentence, sentence
+from core.wall.rocking_model import RockingModel
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
 """Methods whose result a verdict may rest on; the others are for comparison."""
@@ -285,14 +287,31 @@ def check_by_histories(
     if not (motions := scene.motions) or scene.wall.kinematics.arches:
         return None
     precision = precision._replace(every=max(precision.every, FINEST))
-    parts = motions, scene.signs, scene.demand, scene.method, precision, other, cancelled
-    checks: list[DynamicCheck] = []
+    parts, target = (motions, scene.signs, scene.demand, scene.method), scene.demand.zeta_target
+
+    def check(model: RockingModel, precision: Precision, other: bool) -> DynamicCheck | None:
+        return scene.histories(model, *parts, precision, other, cancelled)
+
+    worst: DynamicCheck | None = None
     for branch in scene.branches:
-        if branch.assumed and checks and not checks[0].satisfied(scene.demand.zeta_target):
+        if branch.assumed and worst and not worst.satisfied(target):
             break  # the softest masonry fails already
-        made = scene.histories(branch.of(scene.model), *parts)
-        checks += [] if made is None else [replace(made, branch=branch)]
-    return min(checks, key=_worth) if checks else scene.histories(scene.model, *parts)
+        model, looked = branch.of(scene.model), up_to(worst.zeta if worst else None, precision, target)
+        made = check(model, looked, other and worst is None)
+        if made is None or (worst and _worth(made) >= _worth(worst)):
+            continue
+        if worst and other:
+            made = require_value(check(model, precision, other))
+        worst = replace(made, branch=branch)
+    return worst or check(scene.model, precision, other)
+
+
+def up_to(zeta: float | None, precision: Precision, target: float) -> Precision:
+    """The precision of a search of which only a zeta below this one counts; None: no other is known."""
+    if zeta is None:
+        return precision
+    enough = zeta / target * (1.0 + MULTIPLIER_STEP) ** SPARSE  # a failure is first seen as far above it
+    return precision if precision.enough and precision.enough <= enough else precision._replace(enough=enough)
 
 
 def _worth(check: DynamicCheck) -> tuple:

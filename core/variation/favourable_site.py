@@ -16,7 +16,7 @@ from core.codes.demand import SeismicDemand
 from core.codes.floor_spectrum import estimated_period, first_mode
 from core.codes.limits import ORDINARY_LIFE, return_period
 from core.codes.national_hazard import national_range
-from core.codes.spectrum_codes import CODES, NATIONAL
+from core.codes.spectrum_codes import CODES, EUROPEAN, NATIONAL
 from core.codes.target_spectrum import housner_intensity
 from core.errors import InputError
 from core.setting.check_input import CheckInput
@@ -99,6 +99,22 @@ def _of_the_spectrum(scene: CheckInput) -> Iterator[FavourableInput]:
             return sentence("reason", "lift_spectrum", zeta=zeta_phrase(zetas[k]), name=given, soil=soils[k])
 
         yield FavourableInput("lift_spectrum", "spectrum", reasons, given, tuple(ends), words)
+    elif spectrum is not None and not CODES[spectrum.code].seen_in_print:
+        ends = [
+            _under(
+                _with_spectrum(demand, asked, Spectrum(EUROPEAN, spectrum.soil, type=kind)),
+                sentence("added", "en1998_spectrum", type=kind, soil=spectrum.soil),
+            )
+            for kind in (1, 2)
+        ]
+        name, soil = CODES[spectrum.code].name, spectrum.soil
+
+        def compared(zetas, _):
+            return sentence(
+                "reason", "lift_annex", zeta=zeta_phrase(min(zetas, key=zeta_for_sorting)), name=name, soil=soil
+            )
+
+        yield FavourableInput("lift_annex", "spectrum", reasons, name, tuple(ends), compared)
     elif spectrum is not None and spectrum.type == 2:
         try:
             there = _with_spectrum(demand, asked, replace(spectrum, type=1))

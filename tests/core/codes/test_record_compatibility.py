@@ -139,7 +139,7 @@ def test_that_no_two_periods_compared_are_farther_apart_than_a_hundredth(asked):
 
 
 def test_that_a_range_beyond_the_spectrum_of_a_file_is_refused(tmp_path):
-    rows = [(t, 0.312 * 2.0 / max(1.0, t)) for t in np.linspace(0.05, 3.0, 60)]
+    rows = [(t, 0.312 * 2.5 / max(1.0, t)) for t in np.linspace(0.05, 3.0, 60)]
     (tmp_path / "s.txt").write_text("\n".join(f"{t} {s}" for t, s in rows))
     table = {
         "wall": [{"name": "w", "height_m": 3.0, "thickness_m": 0.4, "base_z_m": 0.0, "mechanism": "two_sided"}],

@@ -4,6 +4,7 @@ import math
 import re
 import shutil
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -125,7 +126,8 @@ def test_that_a_damaged_file_of_an_annex_is_one_sentence(tmp_path, content):
 def test_that_an_annex_may_have_one_type_alone(tmp_path, monkeypatch):
     """The row of type 1 beside type 2 ended all walls where there is no type 1."""
     (tmp_path / "EN1998-X.toml").write_text(TABLE.replace("[type.1]", "[type.2]"))
-    monkeypatch.setitem(CODES, "EN1998", load_spectrum_codes(tmp_path)["EN1998-X"])
+    made = load_spectrum_codes(tmp_path)["EN1998-X"]
+    monkeypatch.setitem(CODES, "EN1998", replace(made, seen_in_print=True))
     spectrum = {"code": "EN1998", "type": 2, "soil": "A"}
     result = run(clauses_alone({"wall": [WALL], "demand": {"ag_g": 0.1, "spectrum": spectrum}}), base_dir=Path())
     assert result.verdicts[0].zeta_least
@@ -134,6 +136,26 @@ def test_that_an_annex_may_have_one_type_alone(tmp_path, monkeypatch):
 def test_that_a_file_does_not_take_the_place_of_the_code_of_the_program(tmp_path):
     (tmp_path / f"{NATIONAL}.toml").write_text(TABLE)
     assert load_spectrum_codes(tmp_path)[NATIONAL].fault.code == "annex_name"
+
+
+@pytest.mark.shows("demand.own_annex")
+def test_that_an_own_annex_stands_beside_en_1998_whatever_it_says_of_itself(tmp_path, monkeypatch):
+    """All grounds as rock, and "seen in print": 0.98 by EN 1998-1 was 3.60, verified, without a row."""
+    rock = "".join(f"{ground} = {{ s = 0.9, t_b = 0.05, t_c = 0.15, t_d = 1.2 }}\n" for ground in "ABCDE")
+    (tmp_path / "EN1998-XX.toml").write_text(TABLE.split("[type.1]")[0] + "[type.1]\n" + rock)
+    made = load_spectrum_codes(tmp_path)["EN1998-XX"]
+    assert not made.seen_in_print and CODES["EN1998"].seen_in_print
+    monkeypatch.setitem(CODES, "EN1998-ES", made)
+    wall = WALL | {"height_m": 5.0, "thickness_m": 0.62, "unit_weight_kn_m3": 18.0, "unloaded_confirmed": True}
+    found = {}
+    for code in ("EN1998-ES", "EN1998"):
+        spectrum = {"code": code, "type": 1, "soil": "C"}
+        result = run(clauses_alone({"wall": [wall], "demand": {"ag_g": 0.2, "spectrum": spectrum}}), base_dir=Path())
+        found[code] = result.walls[0].assessment.verdict
+    own, europe = found["EN1998-ES"], found["EN1998"]
+    (row,) = [row for row in own.assumptions if row.key == "spectrum"]
+    assert europe.zeta_e < 1.0 < own.zeta_e and own.code == "indicative"
+    assert row.turns and row.zeta == pytest.approx(europe.zeta_e, rel=1e-9)
 
 
 @given(st.sampled_from([TABLE, VELOCITY]), st.data())

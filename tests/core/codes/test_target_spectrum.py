@@ -2,11 +2,13 @@
 
 import itertools
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from core.case.rules import parse_case
 from core.case.schema import Case
 from core.case.site import Demand
 from core.codes import target_spectrum as ts
@@ -137,17 +139,17 @@ def test_that_the_largest_displacement_is_that_of_a_fine_grid(span):
 
 
 def test_that_below_the_first_period_of_a_file_the_line_goes_to_the_ground():
-    target = ts.given("f", 3.0, 1.2, [(0.1, 7.0), (0.3, 7.0), (0.5, 6.0), (1.0, 3.5), (2.5, 1.0)])
+    target = ts.given("f", 3.0, 1.2, [(0.1, 8.0), (0.3, 8.0), (0.5, 6.0), (1.0, 3.5), (2.5, 1.0)])
     assert target.pga == pytest.approx(3.6, rel=1e-15)
-    assert target.acceleration([0.0, 0.05, 0.1]) == pytest.approx([3.6, 5.3, 7.0], rel=1e-13)
+    assert target.acceleration([0.0, 0.05, 0.1]) == pytest.approx([3.6, 5.8, 8.0], rel=1e-13)
     eta = math.sqrt(10.0 / 15.0)
-    half = 5.3 * (1.0 + (eta - 1.0) * 0.5)
-    assert target.acceleration([0.05, 0.1, 0.2], 0.10) == pytest.approx([half, 7.0 * eta, 7.0 * eta], rel=1e-13)
+    half = 5.8 * (1.0 + (eta - 1.0) * 0.5)
+    assert target.acceleration([0.05, 0.1, 0.2], 0.10) == pytest.approx([half, 8.0 * eta, 8.0 * eta], rel=1e-13)
     assert target.acceleration([1.0], 0.30)[0] == pytest.approx(0.55 * 3.5, rel=1e-13)
 
 
 def test_that_limits_of_a_file_are_taken_and_a_row_that_does_not_rise_is_named():
-    at_the_ends = [(0.1, 3.6), (0.2, 3.6), (0.4, 3.6), (1.0, 1.0), (2.5, 0.1)]
+    at_the_ends = [(0.1, 6.54), (0.2, 6.54), (0.4, 6.54), (1.0, 1.0), (2.5, 0.1)]  # 2.2 times a_g S as printed
     assert ts.given("f", 3.0, 1.0, at_the_ends).periods == (0.1, 0.2, 0.4, 1.0, 2.5)
     for start in (3.14, 2.86):  # within 5 % of a_g S
         assert ts.given("f", 3.0, 1.0, [(0.01, start), *FILE[1:]]).values[0] == start
@@ -157,7 +159,7 @@ def test_that_limits_of_a_file_are_taken_and_a_row_that_does_not_rise_is_named()
     assert ts.given("f", 3.0, 1.0, [(0.02, 3.2), *FILE[1:]]).values[0] == 3.2
     high = [(period, min(value, 18.0)) for period, value in [(0.1, 18.0), *FILE[2:], (3.0, 0.5)]]
     assert max(ts.given("f", 3.0, 1.0, high).values) == 18.0  # 6 times a_g S
-    for far in (3.5, 18.5):
+    for far in (6.5, 18.5):
         flat = [(0.05, far), (0.1, far), (0.5, far), (1.0, 2.0), (2.5, 1.0)]
         with pytest.raises(InputError, match="is the file in g"):
             ts.given("f", 3.0, 1.0, flat)
@@ -202,6 +204,91 @@ def test_that_a_spectrum_of_a_file_gives_its_points_and_its_ends():
 def test_that_a_wrong_file_of_a_spectrum_is_refused(rows, words):
     with pytest.raises(InputError, match=words):
         ts.given("f", 3.0, 1.0, rows)
+
+
+def rows_of_file(target, first, scale=1.0, floor=0.0):
+    """Points of a spectrum as a file has them, times `scale`, no less than `floor`."""
+    periods = np.concatenate([[first], np.arange(max(0.05, first + 0.02), 4.0, 0.05)])
+    return [(t, max(scale * s, floor)) for t, s in zip(periods, target.acceleration(periods), strict=True)]
+
+
+@pytest.mark.shows("demand.elastic_file")
+@pytest.mark.parametrize("seeds", [range(60), pytest.param(range(2000), marks=pytest.mark.long)], ids=len)
+def test_that_a_file_is_the_elastic_spectrum_of_its_demand_or_refused(seeds):
+    """Random sites: the elastic spectrum is taken; that of design with q from 1.25 on, a share of the elastic one, that
+    with 10 % damping and one with the floor of design are refused."""
+    for seed in seeds:
+        chance = np.random.default_rng(seed)
+        ag, f0, tc_star = chance.uniform(0.05, 0.35) * G, chance.uniform(2.2, 2.7), chance.uniform(0.2, 0.5)
+        soil, first = str(chance.choice(list("ABCDE"))), chance.choice([0.0, 0.03, 0.05])
+        elastic = ts.ntc2018(ag, f0, tc_star, soil, "T1")
+        assert ts.given("f", ag, elastic.soil, rows_of_file(elastic, first)).pga == pytest.approx(elastic.pga)
+        q = chance.uniform(1.25, 4.0)
+        design = replace(elastic, amplification=f0 / q)
+        damped = replace(elastic, amplification=f0 * math.sqrt(10.0 / 15.0))
+        wrong = [
+            rows_of_file(design, first, floor=0.2 * ag),
+            rows_of_file(elastic, first, scale=chance.uniform(0.3, 0.8)),
+        ]
+        if elastic.acceleration([3.0])[0] < 0.2 * ag:  # else it has come to no floor
+            wrong += [rows_of_file(elastic, first, floor=0.2 * ag)]
+        if f0 < 2.6:  # above that its plateau could be one of 5 %
+            wrong += [rows_of_file(damped, first)]
+        for rows in wrong:
+            with pytest.raises(InputError) as refused:
+                ts.given("f", ag, elastic.soil, rows)
+            assert refused.value.code in ("spectrum_start", "spectrum_begins", "spectrum_largest", "spectrum_floor")
+
+
+HEADS = [
+    ("Spettro di progetto SLV, fattore q = 2.0", True),
+    ("T [s] Sd [g]", True),
+    ("T;Se(T) q=1,5", True),
+    ("Design spectrum EN 1998-1", True),
+    ("Behaviour factor 1.5", True),
+    ("Spettri di risposta elastici SLV", False),
+    ("Spettro di progetto, q = 1.0", False),  # that is the elastic one
+    ("T [s] Se [g]", False),
+    ("design ground acceleration 0.25 g", False),
+]
+
+
+@pytest.mark.shows("demand.elastic_file")
+@pytest.mark.parametrize(("head", "refused"), HEADS)
+def test_that_a_head_that_says_design_is_believed(tmp_path, head, refused):
+    (tmp_path / "s.txt").write_text(f"{head}\n0 0.2\n0.1 0.5\n0.5 0.5\n2 0.1\n4 0.03\n")
+    asked = Demand(0.2, spectrum_file="s.txt")
+    if not refused:
+        assert read_target_spectrum(asked, tmp_path).pga == pytest.approx(0.2 * G)
+        return
+    with pytest.raises(InputError) as found:
+        read_target_spectrum(asked, tmp_path)
+    assert found.value.code == "spectrum_of_design" and head[:20] in str(found.value)
+
+
+@pytest.mark.shows("demand.coordinates")
+def test_that_a_demand_below_that_of_its_coordinates_is_refused():
+    """L'Aquila has a_g 0.261 g, F_0 2.36, T_C* 0.347 s at 475 years by the national grid."""
+    spectrum = {"code": "NTC2018", "f0": 2.36, "tc_star_s": 0.347, "soil": "C", "topography": "T1"}
+    here = {"ag_g": 0.26, "coordinates": "42.354, 13.392", "return_period_years": 475.0, "spectrum": spectrum}
+    for key, value in (("ag_g", 0.05), ("ag_g", 0.24), ("f0", 2.2), ("tc_star_s", 0.3)):
+        with pytest.raises(InputError) as refused:
+            read_demand(*demand_case(here, key, value))
+        assert refused.value.code == "elsewhere" and refused.value.key == key
+    for key, value in (("ag_g", 0.26), ("ag_g", 0.30), ("coordinates", "52.5, 13.4"), ("coordinates", "a corner")):
+        assert read_demand(*demand_case(here, key, value)) is not None
+    with pytest.raises(InputError, match="332 years"):  # without a return period the shortest one
+        read_demand(*demand_case(here | {"return_period_years": None}, "ag_g", 0.2))
+
+
+def demand_case(demand, key, value):
+    """A case with one value of its demand changed, and the folder of its files."""
+    table = {name: given for name, given in demand.items() if given is not None} | {
+        "spectrum": dict(demand["spectrum"])
+    }
+    (table["spectrum"] if key in table["spectrum"] else table)[key] = value
+    wall = {"name": "w", "mechanism": "two_sided", "height_m": 3.0, "thickness_m": 0.4, "base_z_m": 0.0}
+    return parse_case({"wall": [wall], "demand": table}), Path()
 
 
 @pytest.mark.parametrize("head", ["T[ms] Se[g]", "T (s); Se (m/s2)", "period [s] Se [cm/s2]", "f [Hz] Se"])

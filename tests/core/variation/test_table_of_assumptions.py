@@ -351,7 +351,7 @@ def test_that_another_spectrum_than_the_code_s_is_shown_with_the_code_s_where_th
     assert row["zeta"] == pytest.approx(own, rel=1e-3) and "EN 1998" in row["text_en"]
     first = rows_of(found_of(WALL, {"ag_g": 0.2, "spectrum": european}))["spectrum"]
     assert first["other_end"] == "type 1"  # without the hazard
-    (tmp_path / "soft.txt").write_text("0 0.2\n0.1 0.3\n0.2 0.3\n0.5 0.1\n4 0.02\n")
+    (tmp_path / "soft.txt").write_text("0 0.2\n0.1 0.45\n0.2 0.45\n0.5 0.1\n4 0.02\n")
     case = parse_case({"wall": [WALL], "demand": life | {"spectrum_file": "soft.txt"}})
     row = rows_of(run(case, base_dir=tmp_path))["spectrum"]
     soils = [said_of(found_of(WALL, life | {"spectrum": NTC | {"soil": soil}}))[1] for soil in "ABCDE"]
