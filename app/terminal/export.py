@@ -253,7 +253,7 @@ def note_content(result: StudyResult, path: Path, case_path: Path | None, steps:
         from core.report.note.archive import note_as_pdf
 
         return note_as_pdf(result, case_path.parent if case_path else Path(), steps)
-    from core.report.note.content import note
+    from core.report.note.brief import note
     from core.report.note.document import document
 
     language = result.case.report.language

@@ -33,7 +33,7 @@ class Report:
     letterhead : lines of the office, with | between them; logo : a picture beside them, relative to the case
     font : of the note, of this machine; pdf_standard : a-1b for portals that take no other, without attached files
     judgement : of the engineer on the results (NTC 2018 10.2), at the end of the note, which else has room for it
-    extent : of the note; short without derivations and histories of the walls
+    extent : of the note; brief has what decides about each wall, full each of its hinges and all checks
     """
 
     client: str = text_key()
@@ -48,7 +48,7 @@ class Report:
     font: str = text_key()
     pdf_standard: str = choice_key("a-3a", "a-1b", default="a-3a")
     judgement: str = paragraphs_key(form="note")
-    extent: str = choice_key("full", "short", default="full", form="note")
+    extent: str = choice_key("brief", "full", default="brief", form="note")
 
 
 @dataclass(frozen=True)

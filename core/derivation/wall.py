@@ -334,11 +334,14 @@ def deciding(wall: WallResult, demand) -> str:
 
 def checks_of(result: StudyResult, wall: WallResult) -> list[Section]:
     """The sections of a wall after its block."""
-    return [
-        chain(wall),
-        linear(result, wall),
-        displacement(result, wall),
-        dynamic(wall),
-        hold(wall),
-        risk(result, wall),
-    ]
+    return [chain(wall), *sections_by_check(result, wall).values(), risk(result, wall)]
+
+
+def sections_by_check(result: StudyResult, wall: WallResult) -> dict[str, Section]:
+    """How the name of a check begins -> its section."""
+    return {
+        "linear": linear(result, wall),
+        "nonlinear": displacement(result, wall),
+        "dynamic": dynamic(wall),
+        "hold": hold(wall),
+    }

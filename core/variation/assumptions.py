@@ -68,7 +68,8 @@ def evaluate_assumptions(
     if not evaluation.satisfied:
         return tuple(known(found).row for found in looked if found.row.turns_q)
     if _may_turn_together([found.row for found in looked if found.row.open]):
-        looked = [known(found) if found.row.open else found for found in looked]
+        # of several ends the one with the lowest zeta is taken with the others
+        looked = [known(found) if found.row.open and len(found.one.ends) > 1 else found for found in looked]
     rows = _together(
         [found.row for found in looked],
         [(found.row, found.end.change) for found in looked if found.row.raises],

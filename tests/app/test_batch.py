@@ -516,7 +516,7 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_by_terminal_workbook_and
         for k in range(7)
     )
     coarse = CASE.replace("q_step = 0.02", "q_step = 0.1").replace("r*.txt", "r0.txt")
-    case.write_text(coarse.replace("ag_g = 0.2", "ag_g = 2.55") + '[report]\nextent = "short"\n' + walls)
+    case.write_text(coarse.replace("ag_g = 0.2", "ag_g = 2.55") + '[report]\nextent = "brief"\n' + walls)
     note = tmp_path / "note.docx"
     assert call("--batch", case, "--quiet", "--report", note) == 0
     asked = "a_g = 2.55 g is above 0.6 g, beyond the hazard of Italy at 2475 years: was 2.55 m/s2 meant"

@@ -17,7 +17,7 @@ title = "Verified"
 [report]
 language = "en"
 date = "2026-11-27"
-extent = "short"
+extent = "brief"
 [[wall]]
 name = "facade"
 height_m = 5.0

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from core.case.rules import parse_case
 from core.report.note.archive import note_attachments, note_of
-from core.report.note.content import note
+from core.report.note.content import full_note
 from core.study.results import StudyResult
 from core.study.run import run
 from tests.benchmarks.inputs import Command
@@ -46,7 +46,7 @@ def main(options: Command) -> None:
         for _ in range(options.number(5, 1)):
             again = replace(result, started_utc="")
             start = time.perf_counter()
-            note(again, "en")
+            full_note(again, "en")
             said = time.perf_counter()
             made = note_of(again, Path(), within=False)
             laid = time.perf_counter()

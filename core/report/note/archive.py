@@ -14,7 +14,7 @@ from core.errors import InputError, section
 from core.file_names import name_of, shown
 from core.regular_file import TooLarge, read_regular
 from core.report import json_report
-from core.report.note.content import note
+from core.report.note.brief import note
 from core.report.note.pdf import STANDARDS, Attachment, Note, Office
 from core.report.note.picture import MEGABYTES, SECONDS, TOO_MUCH, fault_of
 from core.report.note.words import Words

@@ -54,8 +54,8 @@ MAX_REASON_LINES = 3
 """Lines that stand below a verdict; the others end the section of the wall."""
 
 
-def note(result: StudyResult, language: str) -> list[Part]:
-    """Note that an engineer signs: first the answer, then each wall, then what it rests on."""
+def full_note(result: StudyResult, language: str) -> list[Part]:
+    """The note with everything: first the answer, then each wall about each hinge, then what it rests on."""
     words = Words(language)
     say = words.say
     ordered = [wall for wall, _ in sort_results(result)]
@@ -71,10 +71,12 @@ def note(result: StudyResult, language: str) -> list[Part]:
         parts.append(Heading(_name(wall, words), 3, wall=result.walls.index(wall)))
         parts += _verdict(result, wall, words)
     parts += (
-        _demand(result, words) + site.place(result, words) + site.hazard(result, words) + site.building(result, words)
+        demand_parts(result, words)
+        + site.place(result, words)
+        + site.hazard(result, words)
+        + site.building(result, words)
     )
-    beside = certainty(result, words) if result.case.report.extent == "full" else []
-    return [*parts, *_records(result, words), *beside, *_closing(result, words)]
+    return [*parts, *record_parts(result, words), *certainty(result, words), *closing_parts(result, words)]
 
 
 def _name(wall: WallResult, words: Words) -> str:
@@ -152,7 +154,8 @@ def works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
     return [row for row in rows if row[1]]
 
 
-def _demand(result: StudyResult, words: Words) -> list[Part]:
+def demand_parts(result: StudyResult, words: Words) -> list[Part]:
+    """Demand, its spectrum, and FC."""
     say, demand, asked = words.say, result.demand, result.case.demand
     parts: list[Part] = [Heading(say("Site and demand"), new_page=True)]
     if demand is None or asked is None:
@@ -220,8 +223,9 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
     return [Table(heads, rows, (3.1, 1.2, 0.8, 0.8, 0.6, 0.7, 1.6, 2.3), tones, numbers)]
 
 
-def _records(result: StudyResult, words: Words) -> list[Part]:
-    """Event, station, filter, and the scale each record is used with."""
+def record_parts(result: StudyResult, words: Words, brief: bool = False) -> list[Part]:
+    """Event, station, filter, and the scale each record is used with. brief : without the table of motions that are all
+    generated, and without the figure of the spectra"""
     if not result.motions:
         return []
     say = words.say
@@ -262,7 +266,8 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
     unsaid = [k for k in range(len(heads)) if all(row[k] == "–" for row in rows)]
     told = [k for k in range(len(heads)) if k not in unsaid]
     table = Table([heads[k] for k in told], [[row[k] for k in told] for row in rows], [widths[k] for k in told])
-    parts: list[Part] = [Heading(say("Records")), table]
+    all_made = brief and all(motion.format == "generated" for motion in result.motions)
+    parts: list[Part] = [Heading(say("Records")), *([] if all_made else [table])]
     if unsaid and "natural" in result.kinds:
         parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
     if result.selection:
@@ -286,10 +291,10 @@ def _records(result: StudyResult, words: Words) -> list[Part]:
             else say("The set is not compatible with the spectrum (workbook, sheet Spectral compatibility).")
         )
         parts.append(Paragraph(line))
-    return parts + _side_by_side([spectra_figure.spectra(result, words)])
+    return parts if brief else parts + side_by_side([spectra_figure.spectra(result, words)])
 
 
-def _in_runs(steps: list[Step]) -> list[Derivation]:
+def in_runs(steps: list[Step]) -> list[Derivation]:
     """Steps with a formula, and those without, which stand side by side."""
     return [Derivation(list(run)) for _, run in groupby(steps, lambda step: bool(step.formula))]
 
@@ -299,12 +304,11 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     say, assessment = words.say, wall.assessment
     parts: list[Part] = [Heading(_name(wall, words), 2, True, result.walls.index(wall))]
     first = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]
-    short = result.case.report.extent == "short"
-    derived = [] if short else Derivations(result, words, name).wall(wall)
+    derived = Derivations(result, words, name).wall(wall)
     if assessment is None or assessment.kinematic is None:
         parts += [
             *_verdict(result, wall, words),
-            *_side_by_side(first),
+            *side_by_side(first),
             *site.solids(wall, words),
             *site.loads(wall, words),
         ]
@@ -319,15 +323,15 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     parts.append(Paragraph(sentence_of(wall, language), tone_of(result, wall)))
     reasons = lines_of(result, wall, language)
     parts += [Item(line) for line in reasons[:MAX_REASON_LINES]]
-    parts += [_checks(result, wall, words), Paragraph(held, "quiet"), *_register(result, wall, words)]
-    parts += _side_by_side([*first, wall_figures.capacity(result, wall, words)])
+    parts += [check_bars(result, wall, words), Paragraph(held, "quiet"), *register_parts(result, wall, words)]
+    parts += side_by_side([*first, wall_figures.capacity(result, wall, words)])
     parts += site.solids(wall, words) + site.loads(wall, words)
     for title, steps in derived:
         if steps:
-            parts += [Heading(say(title), 3), *_in_runs(steps)]
+            parts += [Heading(say(title), 3), *in_runs(steps)]
     drawn = [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     drawn += [wall_figures.forces_of_ties(result, wall, words)]
-    parts += _side_by_side([] if short else drawn)
+    parts += side_by_side(drawn)
     tabled = assumption_table.tabled(wall, language)
     rest = [
         *certainty_line(result, wall, words),
@@ -340,7 +344,7 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     return [*parts, *(Item(line, "quiet") for line in rest)]
 
 
-def _register(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
+def register_parts(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     """The register of a wall, where this result decides about it."""
     verdict = verdict_of(result, wall)
     if verdict is None:
@@ -350,7 +354,7 @@ def _register(result: StudyResult, wall: WallResult, words: Words) -> list[Part]
     return [table, Paragraph(register_words.not_possible(result, verdict, words.language), "quiet")]
 
 
-def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
+def check_bars(result: StudyResult, wall: WallResult, words: Words) -> Bars:
     """zeta of each check of a wall over the zeta required."""
     assessed = wall.required_assessment
     rows = [
@@ -371,7 +375,7 @@ def _checks(result: StudyResult, wall: WallResult, words: Words) -> Bars:
     return Bars(rows, target, caption)
 
 
-def _side_by_side(figures: list) -> list[Part]:
+def side_by_side(figures: list) -> list[Part]:
     """The figures that are there, up to three in a row."""
     drawn = [figure for figure in figures if figure is not None]
     count = 2 if len(drawn) in (2, 4) else 3
@@ -388,14 +392,8 @@ def _verdict(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
     return [*parts, *(Item(warning.text(language), "quiet") for warning in wall.warnings)]
 
 
-def _closing(result: StudyResult, words: Words) -> list[Part]:
-    """Assumptions, the program (NTC 2018 10.2), the engineer's judgement and signature."""
-    say = words.say
-    walls, written = [wall.wall for wall in result.walls], result.case.report.judgement.strip()
-    ticks = []
-    for code in confirmation_codes(walls):
-        ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
-        ticks.append(Item(localized("assumption", code, words.language), sign="☑" if ticked else "☐"))
+def set_aside_lines(result: StudyResult, words: Words) -> Iterator[str]:
+    """What the engineer sets aside, with its document."""
     aside = dict.fromkeys(
         (wall.part.asked.title, entry) for wall in result.walls for entry in wall.part.asked.set_aside
     )
@@ -404,9 +402,18 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
         named["document"] = require_value(entry.evidence).words.text(words.language)
         low, high = (words.number(height, "g") for height in (entry.from_m or 0.0, entry.to_m))
         named["where"] = f"{low}–{high} m" if entry.to_m is not None else f"≥ {low} m"
-        line = say("{wall}: {mechanism}, {where}, is set aside, {document}", wall=title, **named)
-        ticks.append(Item(line, sign="☑"))
-    ticks += [Item(line, sign="☑") for line in _declared(result, words)]
+        yield words.say("{wall}: {mechanism}, {where}, is set aside, {document}", wall=title, **named)
+
+
+def closing_parts(result: StudyResult, words: Words, new_page: bool = True) -> list[Part]:
+    """Assumptions, the program (NTC 2018 10.2), the engineer's judgement and signature. new_page : they begin one"""
+    say = words.say
+    walls, written = [wall.wall for wall in result.walls], result.case.report.judgement.strip()
+    ticks = []
+    for code in confirmation_codes(walls):
+        ticked = code == "no_load" and all(wall.unloaded_confirmed for wall in walls)
+        ticks.append(Item(localized("assumption", code, words.language), sign="☑" if ticked else "☐"))
+    ticks += [Item(line, sign="☑") for line in (*set_aside_lines(result, words), *_declared(result, words))]
     shared = [(motion.name, warning.text(words.language)) for motion in result.motions for warning in motion.warnings]
     if result.demand:
         shared += [(say("demand"), warning.text(words.language)) for warning in result.demand_required.warnings]
@@ -440,7 +447,7 @@ def _closing(result: StudyResult, words: Words) -> list[Part]:
     ]
     return [
         *parts,
-        Heading(say("Assumptions confirmed by the engineer"), new_page=True),
+        Heading(say("Assumptions confirmed by the engineer"), new_page=new_page),
         *ticks,
         Blanks((say("Confirmed by"), say("Date"))),
         Heading(say("The program (NTC 2018 10.2)")),

@@ -25,6 +25,9 @@ TURNED = math.radians(7.0)
 FIGURE_POINTS = 500
 """Points of a history in a figure."""
 
+GENERATED_NAME = "compatible"
+"""How the name of a motion that is generated begins: its number is enough in a figure."""
+
 FULL_BAR = 1.2
 """Height of the bar of a wall that overturns, and the top of the chart of peaks."""
 
@@ -240,14 +243,19 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
 
 
 def peaks(wall: WallResult, words: Words) -> Figure | None:
-    """Largest rotation of each record at the demand; None without a dynamic check."""
+    """Largest rotation of each record at the demand, what overturns and the largest first; None without a dynamic
+    check."""
     check = wall.required_assessment.dynamic
     if check is None:
         return None
     both = len({run.polarity for run in check.runs}) > 1
-    names = [run.record[-14:] + ("" if not both else " +" if run.polarity > 0 else " −") for run in check.runs]
-    stands = [(k, run.peak_ratio) for k, run in enumerate(check.runs) if not run.exceeded]
-    falls = [k for k, run in enumerate(check.runs) if run.exceeded]
+    runs = sorted(check.runs, key=lambda run: (not run.exceeded, -(run.peak_ratio or math.inf)))
+    short = [run.record.removeprefix(f"{GENERATED_NAME} ")[-14:] for run in runs]
+    names = [
+        name + ("" if not both else "+" if run.polarity > 0 else "−") for name, run in zip(short, runs, strict=True)
+    ]
+    stands = [(k, run.peak_ratio) for k, run in enumerate(runs) if not run.exceeded]
+    falls = [k for k, run in enumerate(runs) if run.exceeded]
     curves = []
     if stands:
         places, heights = zip(*stands, strict=True)
@@ -255,7 +263,7 @@ def peaks(wall: WallResult, words: Words) -> Figure | None:
     if falls:
         name = words.say("exceeds θc or overturns")
         # what overturned has no number: its bar goes to the top of the chart
-        heights = [check.runs[k].peak_ratio or FULL_BAR for k in falls]
+        heights = [runs[k].peak_ratio or FULL_BAR for k in falls]
         curves.append(Curve(name, falls, heights, "bad", "bars"))
     ends = (-0.6, len(names) - 0.4)
     if check.set_rule == "mean" and check.mean_peak_ratio is not None:

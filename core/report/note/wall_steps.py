@@ -68,4 +68,17 @@ class Derivations:
         sections = [geometry(wall)]
         if wall.assessment and wall.required_assessment.kinematic:
             sections += of_wall.checks_of(self.result, wall)
+        return self._titled(sections)
+
+    def deciding(self, wall: WallResult) -> list[tuple[str, list[Step]]]:
+        """(title, steps) of what the check that decides about a wall follows from, and what the wall withstands."""
+        governing = wall.required_assessment.verdict.governing or ""
+        checks = of_wall.sections_by_check(self.result, wall)
+        chosen = next((section for name, section in checks.items() if governing.startswith(name)), None)
+        # histories are of the block: alpha_0, e*, a_0* are of the checks of the clauses
+        chain = [] if governing == "dynamic" and not wall.wall.bends else [of_wall.chain(wall)]
+        between = [] if chosen is None else [chosen]
+        return self._titled([geometry(wall), *chain, *between, of_wall.risk(self.result, wall)])
+
+    def _titled(self, sections: list[Section]) -> list[tuple[str, list[Step]]]:
         return [(section.title, self.steps(section)) for section in sections]

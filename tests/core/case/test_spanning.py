@@ -240,23 +240,23 @@ def test_that_what_holds_in_places_does_not_pass_without_their_spacing(kind):
 
 
 def test_that_a_wall_that_also_bends_between_ties_across_it_has_both_with_its_note():
-    from core.report.note.content import note
+    from core.report.note.content import full_note
 
     tie = {"kind": "tie", "out_kn_m": 60.0, "h_m": 3.0, "bar_length_m": 6.0}
     result = study(hold=[*between(5.0, **TIE), tie])
     assert [wall.mechanism for wall in result.walls][1:] == ["vertical_bending", "horizontal_bending"]
-    assert note(result, "it") and note(result, "en")
+    assert full_note(result, "it") and full_note(result, "en")
 
 
 @pytest.mark.shows("arch.thrust")
 def test_that_a_tie_that_breaks_early_takes_nothing_from_the_masonry_beyond():
-    from core.report.note.content import note
+    from core.report.note.content import full_note
 
     brittle = {**BEYOND, "tie_kn_m": 24.0, "tie_bar_length_m": 5.0, "tie_elongation_m": 0.0065}
 
     def zeta_of(arch):
         result = study(hold=between(5.0, "test", **arch))
-        assert note(result, "en")
+        assert full_note(result, "en")
         return next(check.zeta for check in result.walls[1].required_assessment.checks if check.name == "nonlinear")
 
     assert zeta_of(brittle) == pytest.approx(zeta_of(BEYOND), rel=1e-9)

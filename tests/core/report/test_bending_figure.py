@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from core.report.note.content import note
+from core.report.note.content import full_note
 from core.report.note.parts import Derivation, Figures, Item, Paragraph
 from core.report.note.pdf import Note
 from core.study.run import run
@@ -31,7 +31,7 @@ def result(request, of_three):
 
 def test_that_the_note_has_hinge_figure_and_lines(result):
     language = result.case.report.language
-    parts = note(result, language)
+    parts = full_note(result, language)
     cells = {step.cell for part in parts if isinstance(part, Derivation) for step in part.steps}
     assert {f"wall{n}_{name}" for n in (1, 2, 3) for name in ("h1", "alpha0", "d_c0", "d0", "alpha_d")} <= cells
     words = [part.text for part in parts if isinstance(part, (Paragraph, Item))]
@@ -46,7 +46,7 @@ def test_that_the_note_has_its_histories(folder):
     records = [{"file": "r1.txt", "unit": "m/s2", "time_step_s": 0.01}]
     table = {"wall": [WALL], "building": BUILDING, "demand": DEMAND | {"ag_g": 0.5}, "record": records}
     result = run(parse_case(table | {"analysis": {"q_step": 0.1, "polarity": "as_recorded"}}), base_dir=folder)
-    parts = note(result, "en")
+    parts = full_note(result, "en")
     captions = [figure.caption for part in parts if isinstance(part, Figures) for figure in part.figures]
     assert any("at the demand over θc" in caption for caption in captions)
     assert not any("No time histories" in part.text for part in parts if isinstance(part, (Paragraph, Item)))
@@ -57,7 +57,7 @@ def test_that_a_wall_between_transverse_walls_is_drawn_in_plan_with_its_lines():
     bare = {key: value for key, value in WALL.items() if key not in ("load", "hold")}
     wall = bare | {"name": "spans", "mechanism": "horizontal_bending", "hold": hold, "compressive_strength_mpa": 2.0}
     result = run(parse_case({"wall": [wall], "building": BUILDING, "demand": DEMAND}), base_dir=Path())
-    parts = note(result, "en")
+    parts = full_note(result, "en")
     (drawn,) = (
         figure for part in parts if isinstance(part, Figures) for figure in part.figures if "in plan" in figure.caption
     )

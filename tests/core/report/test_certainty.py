@@ -9,7 +9,8 @@ import pytest
 
 from core.case.rules import parse_case
 from core.codes.collapse_rate import Lognormal, StateRate
-from core.report.note.content import note
+from core.report.note.brief import note
+from core.report.note.content import full_note
 from core.report.note.parts import Figures, Heading, Item, Table
 from core.report.uncertainty_text import rate_lines, rate_row
 from core.study.run import run
@@ -27,7 +28,7 @@ def result():
 
 
 def section(result, language):
-    parts = note(result, language)
+    parts = full_note(result, language)
     heads = {"en": "How sure", "it": "Quanto è sicuro"}
     (start,) = [k for k, part in enumerate(parts) if isinstance(part, Heading) and part.text == heads[language]]
     end = next(k for k in range(start + 1, len(parts)) if isinstance(parts[k], Heading) and parts[k].level == 2)
@@ -50,9 +51,8 @@ def test_the_section_of_the_note(result, language):
     assert any("FC" in part.text for part in parts if isinstance(part, Item))
 
 
-def test_that_the_interval_stands_with_the_wall_and_a_short_note_has_no_section(result):
-    short = replace(result, case=replace(result.case, report=replace(result.case.report, extent="short")))
-    parts = note(short, "en")
+def test_that_the_interval_stands_with_the_wall_and_a_brief_note_has_no_section(result):
+    parts = note(result, "en")
     interval = result.verdicts[0].interval
     (line,) = [part.text for part in parts if isinstance(part, Item) and "nine of ten" in part.text]
     assert f"{interval.low:.2f} and {interval.high:.2f}" in line and "7 other stations" in line
@@ -73,7 +73,7 @@ def test_the_sheet_of_the_workbook(result, tmp_path):
 
 def test_that_a_result_without_hazard_and_moves_has_neither_section_nor_sheet(result):
     plain = replace(result, verdicts=tuple(replace(v, rates=(), sensitivity=None) for v in result.verdicts))
-    assert not [part for part in note(plain, "en") if isinstance(part, Heading) and part.text == "How sure"]
+    assert not [part for part in full_note(plain, "en") if isinstance(part, Heading) and part.text == "How sure"]
     assert "How sure" not in whole_workbook.build(plain, []).workbook.sheetnames
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from core.report.key_plan import key_plan
-from core.report.note.content import note
+from core.report.note.content import full_note
 from core.report.note.parts import Figures, Table
 from core.report.verdict_words import tone_of
 from core.study.run import run
@@ -53,11 +53,11 @@ def test_that_of_variants_at_one_place_the_worse_is_drawn_whichever_way_it_is_wr
 @pytest.mark.shows("bodies.plan")
 def test_that_the_note_draws_it_in_the_tones_of_its_table():
     result = study(*walls())
-    parts = note(result, "it")
+    parts = full_note(result, "it")
     (at,) = [k for k, part in enumerate(parts) if getattr(part, "text", "") == "Pianta chiave"]
     figures, table = parts[at + 1 : at + 3]
     assert isinstance(figures, Figures) and isinstance(table, Table)
     placed = key_plan(result)
     assert [curve.color for curve in figures.figures[0].curves] == [one.tone for one in placed]
     assert [row[1] for row in table.rows] == [one.wall.name for one in placed]
-    assert not any(getattr(part, "text", "") == "Key plan" for part in note(study(next(walls())), "en"))
+    assert not any(getattr(part, "text", "") == "Key plan" for part in full_note(study(next(walls())), "en"))

@@ -23,7 +23,7 @@ from core.errors import InputError, OutputError
 from core.report.assumption_table import tabled
 from core.report.derived import cell_prefix
 from core.report.note import document
-from core.report.note.content import note
+from core.report.note.content import full_note
 from core.report.note.equation import MAX_WHOLE_LINE, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Step, Table
 from core.report.verdict_words import lines_of, sentence_of, sort_results
@@ -45,7 +45,7 @@ def lines_within(parts):
 
 
 def test_a_derivation_in_the_form_of_an_italian_note(verdict):
-    lines = [f"{s.written('it')} = {s.result_written('it')}" for s in steps_of(note(verdict, "it"))]
+    lines = [f"{s.written('it')} = {s.result_written('it')}" for s in steps_of(full_note(verdict, "it"))]
     assert "α0 = t/H = 0,830/7,000 = 0,1186" not in lines  # two figures of H
     assert "α0 = t/H = 0,830/7,00 = 0,1186" in lines
     assert "a_0* = α0/(e* FC) = 0,1186/(1,000 · 1,35) = 0,0878" in lines
@@ -68,7 +68,7 @@ def test_that_each_line_of_a_derivation_gives_its_result(building, verdict, held
     """The numbers of a line, computed as they stand there, give the result to the digits they are written with."""
     counted = 0
     for result in (building, verdict, held):
-        for step in steps_of(note(result, "en")):
+        for step in steps_of(full_note(result, "en")):
             written = step.in_numbers("en")
             if not written or "κ" in step.formula:
                 continue
@@ -92,7 +92,7 @@ def test_that_each_line_of_a_derivation_gives_its_result(building, verdict, held
 
 def test_that_the_floor_is_counted_again_from_the_printed_table_of_modes(building):
     """a_Z, S_eZ(T_0) and S_DeZ(T_SLV) by C7.2.5 to C7.2.8, typed here, from the figures of the note alone."""
-    parts = note(building, "en")
+    parts = full_note(building, "en")
     (table,) = [part for part in parts if isinstance(part, Table) and part.heads and part.heads[-1] == "S_e(T, ξ) [g]"]
     counted = 0
     for wall in building.walls:
@@ -127,7 +127,7 @@ CONSTANTS = {"zeta", "share", "factor", "damping", "gravity", "topography", "are
 def test_that_whatever_a_line_is_made_of_stands_above_it(building, verdict):
     """Each number of the note is counted from numbers of the note: of lines, of its tables, constants of a clause."""
     for result in (building, verdict):
-        steps = steps_of(note(result, "en"))
+        steps = steps_of(full_note(result, "en"))
         known = {step.cell for step in steps if not (step.cell or "").startswith("wall")}
         for step in steps:
             needs = set(step.quantity.needs if step.quantity else ()) - IN_TABLES - CONSTANTS - known
@@ -137,7 +137,7 @@ def test_that_whatever_a_line_is_made_of_stands_above_it(building, verdict):
 
 @pytest.mark.shows("note.walls")
 def test_that_every_check_has_its_zeta_in_the_note_and_on_the_check_sheet(verdict):
-    steps = {step.cell for step in steps_of(note(verdict, "en"))}
+    steps = {step.cell for step in steps_of(full_note(verdict, "en"))}
     names = set(whole_workbook.build(verdict, []).workbook.defined_names)
     for wall in verdict.walls:
         assert {check.name for check in wall.assessment.checks} == set(CHECKS) - {"hold"}
@@ -154,7 +154,7 @@ def test_that_what_holds_a_wall_has_its_lines_in_the_note_and_on_the_check_sheet
     held = case(bends, {}, analysis={"histories": False}, building=building)
     made = run(held, base_dir=ROOT)
     names = set(whole_workbook.build(made, []).workbook.defined_names)
-    steps = {step.cell: step.result for step in steps_of(note(made, "en"))}
+    steps = {step.cell: step.result for step in steps_of(full_note(made, "en"))}
     (check,) = [check for check in made.walls[0].assessment.checks if check.name == "hold"]
     for cell, value in (("hold_asked", check.demand), ("hold_stands", check.capacity), ("hold_zeta", check.zeta)):
         (found,) = [name for name in steps if name and name.endswith(cell)]
@@ -166,14 +166,14 @@ def test_that_what_holds_a_wall_has_its_lines_in_the_note_and_on_the_check_sheet
 def test_that_a_g_sld_over_a_g_is_printed_at_every_limit_state(state):
     """t/H over FC and a_g S, of 7.0 x 0.83 m at 0.26 g with S = 1.2."""
     made = run(case(HELD, {"limit_state": state}, analysis={"histories": False}), base_dir=ROOT)
-    (step,) = [step for step in steps_of(note(made, "en")) if (step.cell or "").endswith("zeta_sld")]
+    (step,) = [step for step in steps_of(full_note(made, "en")) if (step.cell or "").endswith("zeta_sld")]
     assert step.result == pytest.approx(0.83 / 7.0 / 1.35 / 0.312, rel=1e-12)
     assert step.cell in whole_workbook.build(made, []).workbook.defined_names
 
 
 @pytest.mark.shows("note.walls")
 def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_figures(building):
-    parts = note(building, "en")
+    parts = full_note(building, "en")
     words = lines_within(parts)
     decide = [wall for wall, decides in sort_results(building) if decides]
     for wall in building.walls:
@@ -195,7 +195,7 @@ def test_that_every_wall_has_its_verdict_with_all_reasons_its_checks_and_its_fig
 @pytest.mark.shows("note.first_page")
 def test_that_the_first_page_is_the_answer(whole_building):
     """Works and demand in six lines at most, every wall, what decides and what is to be done, a place to sign."""
-    parts = note(whole_building, "it")
+    parts = full_note(whole_building, "it")
     end = next(k for k, part in enumerate(parts) if isinstance(part, Heading) and part.new_page)
     first = parts[:end]
     assert len(next(part for part in first if isinstance(part, Table) and not part.heads).rows) <= 6
@@ -206,7 +206,7 @@ def test_that_the_first_page_is_the_answer(whole_building):
 
 
 def test_that_the_note_gives_hazard_building_loads_and_what_is_changed(whole_building):
-    parts = note(whole_building, "en")
+    parts = full_note(whole_building, "en")
     tables = {tuple(part.heads): part.rows for part in parts if isinstance(part, Table)}
     hazard = next(rows for heads, rows in tables.items() if "T_R [years]" in heads)
     assert [row[:2] for row in hazard][-1] == ["975", "0.340"]
@@ -231,13 +231,13 @@ def _unloaded(wall):
 @pytest.mark.shows("note.engineer")
 def test_that_what_the_engineer_confirms_judges_and_signs_is_left_blank(whole_building, verdict):
     """Ticked is only what every wall says; with loads and ties these are what is confirmed."""
-    parts = note(whole_building, "en")
+    parts = full_note(whole_building, "en")
     ticks = {part.text: part.sign for part in parts if isinstance(part, Item) and part.sign in "☑☐"}
     assert set(ticks.values()) == {"☐"} and any("yield" in text for text in ticks)
     assert not any("no load or thrust" in text for text in ticks)
     assert sum(isinstance(part, Box) for part in parts) == 1 and sum(isinstance(part, Blanks) for part in parts) == 2
     sure = replace(verdict, walls=[_unloaded(wall) for wall in verdict.walls])
-    ticked = [part.text for part in note(sure, "en") if isinstance(part, Item) and part.sign == "☑"]
+    ticked = [part.text for part in full_note(sure, "en") if isinstance(part, Item) and part.sign == "☑"]
     assert len(ticked) == 1 and "no load" in ticked[0]
 
 
@@ -247,7 +247,7 @@ def test_that_what_no_file_states_of_the_records_takes_no_column(verdict):
     told = replace(first, details=(("station_code", "AQV"), ("magnitude_w", "6.3")))
     natural = replace(verdict, motions=(told, *others), kinds=("natural",) * len(verdict.kinds))
     for result, columns in ((natural, ["Event and station", "M"]), (verdict, [])):
-        parts = note(result, "en")
+        parts = full_note(result, "en")
         (table,) = (part for part in parts if isinstance(part, Table) and "Scale used" in part.heads)
         assert table.heads == ["Record", *columns, "PGA used [g]", "Scale used", "Kind"]
         assert all(len(row) == len(table.heads) == len(table.widths) for row in table.rows)
@@ -301,10 +301,11 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
     docx = pytest.importorskip("docx")
     from PIL import Image
 
-    made = docx.Document(io.BytesIO(export.note_content(verdict, Path("n.docx"), None)))
+    whole = replace(verdict, case=replace(verdict.case, report=replace(verdict.case.report, extent="full")))
+    made = docx.Document(io.BytesIO(export.note_content(whole, Path("n.docx"), None)))
     text = [p.text for p in made.paragraphs]
     text += [cell.text for table in made.tables for row in table.rows for cell in row.cells]
-    for part in note(verdict, "it"):
+    for part in full_note(verdict, "it"):
         if isinstance(part, Paragraph):
             assert part.text in text
         if isinstance(part, Item):
@@ -326,7 +327,7 @@ def test_the_document_opens_and_says_what_the_note_says(verdict):
 
 @pytest.mark.parametrize("which", ["building", "verdict"])
 def test_that_no_equation_is_wider_than_its_column(which, request):
-    for step in steps_of(note(request.getfixturevalue(which), "it")):
+    for step in steps_of(full_note(request.getfixturevalue(which), "it")):
         for line in equations(step, "it"):
             assert width(ElementTree.fromstring(line)) <= MAX_WHOLE_LINE, step.symbol
 
@@ -456,7 +457,7 @@ def test_that_many_walls_keep_their_reasons_and_the_lowest_their_figures(buildin
     from core.report.note import content
 
     monkeypatch.setattr(content, "FULL_WALLS", 2)
-    parts = note(building, "en")
+    parts = full_note(building, "en")
     assert sum(isinstance(part, Figures) for part in parts) == 5  # one of them that of the records
     words = lines_within(parts)
     for wall in building.walls:

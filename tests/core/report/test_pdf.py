@@ -106,15 +106,32 @@ def test_that_a_checker_of_pdf_ua_finds_nothing(content, tmp_path):
 
 
 @pytest.mark.shows("note.walls")
-def test_that_each_wall_begins_a_page_and_has_three_at_most(whole_building, file):
-    note = note_of(whole_building, Path())
+@pytest.mark.parametrize("extent", ["brief", "full"])
+def test_that_each_wall_begins_a_page_and_has_two_at_most_in_the_full_note_each_hinge_three(whole_building, extent):
+    report = replace(whole_building.case.report, extent=extent)
+    result = replace(whole_building, case=replace(whole_building.case, report=report))
+    note = note_of(result, Path())
+    pages = pypdf.PdfReader(io.BytesIO(note.pdf())).pages
     begun = [one["page"] for one in note.places() if "wall" in one and one["y"] < 80.0]
-    assert len(begun) == len(whole_building.walls) and len(set(begun)) == len(begun)
-    after = next(k for k, page in enumerate(file.pages, 1) if k > begun[-1] and "Site and demand" in _plain(page))
+    written, most = (result.verdicts, 2) if extent == "brief" else (result.walls, 3)
+    assert len(begun) == len(written) and len(set(begun)) == len(begun)
+    after = next(k for k, page in enumerate(pages, 1) if k > begun[-1] and "Site and demand" in _plain(page))
     ends = [*begun[1:], after]
-    assert all(end - first <= 3 for first, end in zip(begun, ends, strict=True))
+    assert all(end - first <= most for first, end in zip(begun, ends, strict=True))
     for page in begun:
-        assert _plain(file.pages[page - 1]).splitlines()[0].startswith("Three-storey")
+        assert _plain(pages[page - 1]).splitlines()[0].startswith("Three-storey")
+
+
+@pytest.mark.shows("note.brief")
+def test_that_the_first_page_of_a_brief_note_has_every_wall_and_the_signature(whole_building, file):
+    """Ten pages at most, two of them a wall; the outcome, zeta and what is to be done of each wall on the first."""
+    first, words = _plain(file.pages[0]), " ".join(_plain(page) for page in file.pages).split()
+    assert len(file.pages) <= 10 and len(words) <= 4200
+    for verdict in whole_building.verdicts:
+        said = whole_building.walls[verdict.governing].assessment.verdict
+        assert verdict.title in first and f"{said.zeta_e:.2f}" in first
+        assert f"{verdict.zeta_least:.2f}" in first
+    assert "Signature and stamp" in first
 
 
 def _plain(page) -> str:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from core.report.note.content import note
+from core.report.note.content import full_note
 from core.report.note.parts import Figures, Paragraph, Table
 from core.report.selection_words import lines_of
 from core.study import run as study
@@ -32,7 +32,7 @@ def test_that_the_lines_say_what_was_looked_at_and_how_near_it_is(chosen):
 
 
 def test_that_the_note_lists_and_draws_the_chosen(chosen):
-    parts = note(chosen, "it")
+    parts = full_note(chosen, "it")
     heads = [part for part in parts if isinstance(part, Table) and "".join(part.heads[:1]) == "Accelerogramma"]
     assert len(heads[-1].rows) == 3
     assert any("Scelti da recs" in part.text for part in parts if isinstance(part, Paragraph))

@@ -1,0 +1,233 @@
+"""The calculation note of a result, and its brief form: the outcome of all walls and the signature on the first page, a
+wall on two pages with what decides about it, what the engineer confirms. All else is in the full one (content.py)."""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
+from core.codes.outcomes import OUTCOMES
+from core.report import assumption_table
+from core.report.derived import cell_prefix
+from core.report.note import plan_figure, site, wall_figures
+from core.report.note.certainty import certainty_line
+from core.report.note.content import (
+    check_bars,
+    closing_parts,
+    demand_parts,
+    full_note,
+    in_runs,
+    record_parts,
+    register_parts,
+    set_aside_lines,
+    side_by_side,
+    wall_parts,
+    works,
+)
+from core.report.note.parts import Blanks, Heading, Item, Paragraph, Part, Table
+from core.report.note.wall_steps import Derivations
+from core.report.note.words import Words
+from core.report.verdict_words import names_in, sentence_of, tone_of
+from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.wall_verdict import collect_assumptions, hinge_location, sort_by_severity
+from core.text.sentence import Sentence, word
+from core.variation.limit_states import LIMIT_STATES
+
+MAX_WALLS = 24
+"""Walls, the worst first, that have pages of their own."""
+
+MAX_COLUMNS = 12
+"""Walls beside one another in the table of what their outcomes rest on."""
+
+MAX_LINES = 6
+"""Limits of an outcome on the page of a wall."""
+
+
+def note(result: StudyResult, language: str) -> list[Part]:
+    """The note that an engineer signs, as long as [report] asks for; without a demand the full one."""
+    if result.case.report.extent == "full" or not result.verdicts:
+        return full_note(result, language)
+    words, ordered = Words(language), sort_by_severity(result.verdicts, result.walls)
+    parts = [*_first_page(result, ordered, words), *plan_figure.plan(result, words)]
+    for verdict in ordered[:MAX_WALLS]:
+        parts += _wall_pages(result, verdict, words)
+    parts += [*demand_parts(result, words), *record_parts(result, words, brief=True)]
+    return [*parts, *closing_parts(result, words, new_page=False)]
+
+
+def _first_page(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> list[Part]:
+    """All walls, what is to be done and what the outcomes rest on, the signature."""
+    say = words.say
+    codes = Counter(_governing(result, verdict).required_assessment.verdict.code for verdict in ordered)
+    counted = ", ".join(f"{words.word(code).lower()}: {codes[code]}" for code in OUTCOMES if code in codes)
+    worst = tone_of(result, _governing(result, ordered[0]))
+    parts: list[Part] = [
+        Heading(result.case.title, 1),
+        Paragraph(
+            say("Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)"), "quiet"
+        ),
+        Table((), works(result, words), (1, 4)),
+        Heading(say("Outcome")),
+        Paragraph(say("Walls: {n}; {counted}.", n=len(ordered), counted=counted), worst),
+        _walls_table(result, ordered, words),
+        *_to_do(result, ordered, words),
+        *_rests_on(result, ordered, words),
+        *site.compare_variants_table(result, words),
+    ]
+    shared = _shared_limits(result, ordered, words)
+    parts += [Item(line, "quiet") for line in shared]
+    parts += [Item(line, sign="☑") for line in set_aside_lines(result, words)]
+    key = words.word("key_extent")
+    parts.append(Paragraph(say("Every hinge and check is in the full note ({key}: full).", key=key), "quiet"))
+    return [*parts, Blanks((say("Engineer"), say("Place and date"), say("Signature and stamp")))]
+
+
+def _governing(result: StudyResult, verdict: WallVerdict) -> WallResult:
+    return result.walls[verdict.governing]
+
+
+def _walls_table(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> Table:
+    """A row a wall, the worst first."""
+    say, number = words.say, words.number
+    states = [state for state in LIMIT_STATES if any(one.states[state].check for one in ordered if state in one.states)]
+    states = [state for state in states if state != result.demand_required.limit_state]
+    heads = [say("Wall, H × t [m]"), say("Mechanism and hinge that decide"), "ζ_E", say("least"), say("by")]
+    heads += [*states, say("Verdict")]
+    rows, tones = [], {}
+    for n, verdict in enumerate(ordered):
+        wall = _governing(result, verdict)
+        said, checks = wall.required_assessment.verdict, wall.required_assessment.checks
+        by = next((words.short(check) for check in checks if check.name == said.governing), "–")
+        where = hinge_location(wall)
+        place = where.text(words.language) if isinstance(where, Sentence) else where
+        size = f"{number(wall.part.asked.height_m or wall.height, '.2f')} × {number(wall.thickness, '.2f')}"
+        row = [f"{verdict.title}, {size}", f"{words.word(wall.mechanism)}{place}"]
+        row += [number(said.zeta_e, ".2f"), number(verdict.zeta_least, ".2f"), by]
+        row += [number(verdict.states[state].zeta if state in verdict.states else None, ".2f") for state in states]
+        rows.append([*row, words.word(said.code)])
+        tones[n, 2] = tones[n, len(row)] = tone_of(result, wall)
+    numbers = [verdict.governing for verdict in ordered]
+    widths = (3.0, 3.4, 0.7, 0.7, 1.7, *[0.7] * len(states), 2.0)
+    return Table(heads, rows, widths, tones, numbers)
+
+
+def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) -> list[Part]:
+    """What the designer does next: each sentence once, with the walls it is of."""
+    names: dict[str, list[str]] = {}
+    for verdict in ordered:
+        for said in _governing(result, verdict).required_assessment.verdict.to_do:
+            names.setdefault(said.text(words.language, names_in(words.language)), []).append(verdict.title)
+    if not names:
+        return []
+    rows = [(", ".join(walls), line) for line, walls in names.items()]
+    return [Heading(words.say("What is to be done"), 3), Table((), rows, (1.3, 4))]
+
+
+def _rests_on(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) -> list[Part]:
+    """What the outcomes that pass rest on: zeta at the other end of each input that turns one, inputs by walls."""
+    of_walls: list[tuple[str, dict[str, Assumption]]] = []
+    for verdict in ordered:
+        rows = [row for row in collect_assumptions(result, verdict) if row.turns and row.key != ALL_TOGETHER_KEY]
+        if rows:
+            of_walls.append((verdict.title, {row.key: row for row in rows}))
+    of_walls = of_walls[:MAX_COLUMNS]
+    keys = dict.fromkeys(key for _, rows in of_walls for key in rows)
+    if not keys:
+        return []
+    table, tones = [], {}
+    for n, key in enumerate(keys):
+        cells = []
+        for k, (_, rows) in enumerate(of_walls, start=1):
+            row = rows.get(key)
+            cells.append("" if row is None else words.number(row.zeta, ".2f") + ("" if row.open else " ✓"))
+            if row is not None and row.open:
+                tones[n, k] = "bad"
+        table.append([words.word(f"key_{key}"), *cells])
+    heads = [words.say("ζ at the other end"), *(name for name, _ in of_walls)]
+    return [
+        Heading(words.say("What the outcomes rest on"), 3),
+        Table(heads, table, (2.4, *[1.0] * len(of_walls)), tones),
+        Paragraph(words.say("✓: shown by a document, or permitted by a clause; the others are to be shown."), "quiet"),
+    ]
+
+
+def _shared_limits(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> list[str]:
+    """Limits that every wall of a case has, of several: they stand once."""
+    if len(ordered) < 2:
+        return []
+    each = [_limits(_governing(result, verdict), words) for verdict in ordered]
+    return [line for line in each[0] if all(line in others for others in each[1:])]
+
+
+def _limits(wall: WallResult, words: Words) -> list[str]:
+    """What keeps an outcome from being more, and the line of what no clause asks about."""
+    assessment = wall.required_assessment
+    verdict, tabled = assessment.verdict, assumption_table.tabled(wall, words.language)
+    chosen = [*verdict.limits[: verdict.blocking]]
+    chosen += [one for one in verdict.limits[verdict.blocking :] if one.code in BESIDE_THE_OUTCOME]
+    lines = [
+        f"{word('limits', words.language)}: {one.text(words.language, names_in(words.language))}" for one in chosen
+    ]
+    return [line for line in dict.fromkeys(lines) if line not in tabled]
+
+
+BESIDE_THE_OUTCOME = (
+    "unasked_range",
+    "generated_motions",
+    "elastic_branch",
+    "fails_at_demand",
+    "hold_top",
+    "hold_base",
+    "hold_foot",
+    "hold_ends",
+    "arch_thrust",
+    "ties_histories",
+    "ties_displacement",
+    "slack_not_counted",
+)
+"""Limits without which the numbers of a wall cannot be followed."""
+
+
+def _wall_pages(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part]:
+    """A wall by the hinge and mechanism that decide about it."""
+    wall, say = _governing(result, verdict), words.say
+    assessment, language = wall.required_assessment, words.language
+    if assessment.kinematic is None:
+        return wall_parts(result, wall, cell_prefix(result, wall), words)
+    said = assessment.verdict
+    outcome = f"{words.word(said.code)}, ζ {words.number(said.zeta_e, '.2f')}"
+    parts: list[Part] = [
+        Heading(f"{verdict.title} – {outcome}", 2, True, verdict.governing),
+        Paragraph(sentence_of(wall, language), tone_of(result, wall)),
+    ]
+    shared = _shared_limits(result, sort_by_severity(result.verdicts, result.walls), words)
+    own = [line for line in _limits(wall, words) if line not in shared]
+    parts += [Item(line, "quiet") for line in (*own[:MAX_LINES], *certainty_line(result, wall, words))]
+    parts += [check_bars(result, wall, words), *register_parts(result, wall, words)]
+    parts += _turning_rows(result, verdict, words)
+    parts += [*site.solids(wall, words), *site.loads(wall, words)]
+    drawn = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]
+    drawn += [wall_figures.capacity(result, wall, words) if said.governing == "nonlinear" else None]
+    drawn += [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
+    parts += side_by_side(drawn)
+    for title, steps in Derivations(result, words, cell_prefix(result, wall)).deciding(wall):
+        if steps:
+            parts += [Heading(say(title), 3), *in_runs(steps)]
+    return parts
+
+
+def _turning_rows(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part]:
+    """The inputs whose other ends turn the outcome of a wall."""
+    rows = [row for row in collect_assumptions(result, verdict) if row.turns]
+    language = words.language
+    table = [
+        [
+            words.word("together" if row.key == ALL_TOGETHER_KEY else f"key_{row.key}"),
+            format_value(row, row.value, language),
+            format_value(row, row.other_end, language),
+            words.number(row.zeta, ".2f"),
+            format_value(row, row.reason, language) or ("–" if row.open else words.say("permitted")),
+        ]
+        for row in rows
+    ]
+    heads = [words.say(text) for text in ("Assumption", "Taken", "Other end", "ζ there", "Shown by")]
+    return [Table(heads, table, (2.2, 2.0, 2.0, 0.9, 2.6))] if table else []
