@@ -64,6 +64,7 @@ SHOWN_BY = {
     "codes/annex": "tests/core/codes/test_spectrum_codes.py",
     "api": "tests/test_notebooks.py",
     "report/note/plan_figure": "tests/core/report/test_key_plan.py",
+    "report/note/brief": "tests/core/report/test_pdf.py",
     "codes/evidence": "tests/core/codes/test_verdict.py",
     "case/hold_rules": "tests/core/case/test_hold.py",
     "case/asked": "tests/core/variation/test_second_level.py",

@@ -38,8 +38,8 @@ BESIDE_A_FAILURE = 4
 """Points of the grid from one to the next with FC on the other side of a wall that fails, whose outcome does not hang
 on it."""
 
-ONE_BY_ONE = 2
-"""Records, the worst at the demand, that are analysed alone: most failures need no other."""
+FIRST = 1, 1, 2, 4
+"""How many records, the worst at the demand first, are analysed before the others: most failures need no other."""
 
 MIN_BATCHED = 16
 """Multipliers below which all records are analysed at once: a lane more costs less than another pass."""
@@ -200,12 +200,12 @@ class DemandRuns:
         self.in_order(range(len(motions)))
 
     def in_order(self, order) -> None:
-        """Which records `failures` takes first: the first two alone, then all others of a time step at once."""
-        order = list(order)
-        rest = order[ONE_BY_ONE:]
-        steps = dict.fromkeys(self.motions[k].time_step for k in rest)
-        self.batches = [[k] for k in order[:ONE_BY_ONE]]
-        self.batches += [[k for k in rest if self.motions[k].time_step == dt] for dt in steps]
+        """Which records `failures` takes first: the worst few, then all others, those of a time step at once."""
+        order, self.batches, start = list(order), [], 0
+        for size in (*FIRST, len(order)):
+            group, start = order[start : start + size], start + size
+            steps = dict.fromkeys(self.motions[k].time_step for k in group)
+            self.batches += [[k for k in group if self.motions[k].time_step == dt] for dt in steps]
         steps = dict.fromkeys(self.motions[k].time_step for k in order)
         self.together = [[k for k in order if self.motions[k].time_step == dt] for dt in steps]
 

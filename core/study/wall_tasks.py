@@ -178,10 +178,10 @@ class _Wall:
         but of a wall that fails."""
         given = self.given
 
-        def evaluation_of(k: int):
+        def evaluate_entry(k: int):
             return lambda stop: evaluate(self._scene(k, demand), cancelled=stop)
 
-        evaluations = yield Batch({k: evaluation_of(k) for k in self.entries})
+        evaluations = yield Batch({k: evaluate_entry(k) for k in self.entries})
         failing = self._find_failing(evaluations)
 
         def task(k: int):
@@ -204,7 +204,7 @@ class _Wall:
         def fails(results: list[int]) -> bool:
             def worst(numbers: list[int]) -> tuple:
                 found = [evaluations[results[n]] for n in numbers]
-                return way_key((one.outcome, one.zeta, one.scene.demand.zeta_target) for one in found)
+                return way_key((check.outcome, check.zeta, check.scene.demand.zeta_target) for check in found)
 
             counted = best_way([self.entries[k].part for k in results], worst)
             return any(OUTCOMES[evaluations[results[n]].outcome].judgement == FAILS for n in counted)

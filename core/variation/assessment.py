@@ -125,25 +125,15 @@ def assess_evaluation(
     unlooked = evaluation.satisfied and fails_elsewhere
     passes = evaluation.satisfied and not unlooked
     unheld = _without_restraint(evaluation, cancelled) if passes else None
-    below = unheld.dynamic if unheld else None
     raised: tuple[Assumption, ...] = ()
     agrees = not unlooked and passes_with_q2(evaluation.made("linear_q_code"), demand.zeta_target)
     if evaluation.zeta is not None and (passes or agrees):
         raised = evaluate_assumptions(evaluation, cancelled)
-    limits, ratio = [one for one in (evaluation.lower_q_remark,) if one is not None], None
+    ratio = None
     if scene.floor is not None and scene.building is not None:
-        limits += building_notes(scene.building, demand.limit_state)
         ratio = scene.floor.code_over_records(kinematic)
-    if ratio is not None and ratio < LOW_CODE:
-        limits.append(sentence("reason", "code_below_records", ratio=ratio))
-    limits += _of_life_and_records(evaluation)
-    limits += _branch_remark(evaluation)
-    limits += _hold_remark(evaluation)
-    limits += [*_of_bending(kinematic, scene.wall, dynamic is not None), *_of_ties_not_counted(evaluation)]
-    limits += [] if unlooked else _of_ties_that_lower(evaluation, cancelled)
-    limits += _of_a_thicker_wall(evaluation)
     unasked = find_unasked_range(evaluation) if evaluation.zeta is not None else None
-    limits += [unasked.words] if unasked else []
+    limits = [*_limits(evaluation, ratio, unlooked, cancelled), *([unasked.words] if unasked else [])]
     bound, stands = None, None
     if passes:
         free = unheld or _overturning(scene, cancelled)
@@ -155,9 +145,29 @@ def assess_evaluation(
         if (arch := kinematic.wall.arch) is not None:
             raised = (*raised, _of_the_arch(evaluation, arch))
     why = (sentence("reason", "fails_elsewhere"),) if unlooked else ()
-    said = make_verdict(evaluation.evidence, bound, tuple(limits), raised, why)
-    parts = (kinematic, evaluation.checks, dynamic, below, said, unasked, ratio, _capacity(evaluation))
+    verdict = make_verdict(evaluation.evidence, bound, tuple(limits), raised, why)
+    below = unheld.dynamic if unheld else None
+    parts = (kinematic, evaluation.checks, dynamic, below, verdict, unasked, ratio, _capacity(evaluation))
     return Assessment(*parts, bound_passes=stands, reactions=find_reactions(evaluation))
+
+
+def _limits(
+    evaluation: Evaluation, ratio: float | None, unlooked: bool, cancelled: Callable[[], bool]
+) -> list[Sentence]:
+    """Sentences on the checks of a wall and on the floor it stands on. ratio : of `Floor.code_over_records`"""
+    scene, kinematic = evaluation.scene, require_value(evaluation.kinematic)
+    limits = [remark for remark in (evaluation.lower_q_remark,) if remark is not None]
+    if scene.floor is not None and scene.building is not None:
+        limits += building_notes(scene.building, scene.demand.limit_state)
+    if ratio is not None and ratio < LOW_CODE:
+        limits.append(sentence("reason", "code_below_records", ratio=ratio))
+    limits += _of_life_and_records(evaluation)
+    limits += _branch_remark(evaluation)
+    limits += _hold_remark(evaluation)
+    with_histories = evaluation.dynamic is not None
+    limits += [*_of_bending(kinematic, scene.wall, with_histories), *_of_ties_not_counted(evaluation)]
+    limits += [] if unlooked else _of_ties_that_lower(evaluation, cancelled)
+    return [*limits, *_of_a_thicker_wall(evaluation)]
 
 
 def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:

@@ -119,8 +119,7 @@ def look_at(
     if not judged:
         return None
     ends = _evaluate_ends(evaluation, one, touched, cancelled, precision)
-    turning = any(_turns(end, check) for end in ends for check in judged)
-    if not turning and not _lowered_by_clauses(ends, evaluation):
+    if not any(_turns(end, check) for end in ends for check in judged) and not _lowered_by_clauses(ends, evaluation):
         ends = [
             _evaluate_at(evaluation, one.ends[k].change, touched, cancelled) if end and end.beyond else end
             for k, end in enumerate(ends)
@@ -129,27 +128,41 @@ def look_at(
     of_outcome = _told(one, judged, ends, evaluation) if passes else q_check
     if of_outcome is None:
         return None
-    worst = _lowest(ends, of_outcome)
-    told = q_check if q_check and turns == {q_check.name} else of_outcome
-    zetas, lowest = [_zeta(end, told) for end in ends], _lowest(ends, told)
-    row = Assumption(
-        one.key,
-        one.phrase(zetas, told),
-        one.value,
-        one.ends[lowest].value,
-        one.source,
-        zetas[lowest],
-        _outcome(ends[lowest], evaluation, touched),
+    shown = q_check if q_check and turns == {q_check.name} else of_outcome
+    lowest = _lowest(ends, shown)
+    row = replace(
+        _row(one, shown, ends, lowest, _outcome(ends[lowest], evaluation, touched)),
         turns=bool(decides.passed) and touched and decides.name in turns,
-        reason=one.reason,
         turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
-        permitted=one.permitted,
-        raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(told.zeta),
-        check="" if told.name == decides.name else told.name,
+        check="" if shown.name == decides.name else shown.name,
     )
-    written = ends if one.each_written else [ends[lowest]]
-    known = told.name != decides.name or not any(end is not None and end.beyond for end in written)
-    return LookedAt(one, row, one.ends[worst], known)
+    known = shown.name != decides.name or _is_known(one, ends, lowest)
+    return LookedAt(one, row, one.ends[_lowest(ends, of_outcome)], known)
+
+
+def _is_known(favourable: FavourableInput, ends: AlternativeEvaluations, lowest: int) -> bool:
+    """Whether zeta at each end that is written is that of a search to its end."""
+    written = ends if favourable.each_written else [ends[lowest]]
+    return not any(end is not None and end.beyond for end in written)
+
+
+def _row(
+    favourable: FavourableInput, shown: Check, ends: AlternativeEvaluations, lowest: int, outcome: str
+) -> Assumption:
+    """The row of an input with the numbers of a check. lowest : number of the end it shows; outcome : there"""
+    zetas = [_zeta(end, shown) for end in ends]
+    return Assumption(
+        favourable.key,
+        favourable.phrase(zetas, shown),
+        favourable.value,
+        favourable.ends[lowest].value,
+        favourable.source,
+        zetas[lowest],
+        outcome,
+        reason=favourable.reason,
+        permitted=favourable.permitted,
+        raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(shown.zeta),
+    )
 
 
 def _lowest(ends: AlternativeEvaluations, check: Check) -> int:
@@ -159,7 +172,7 @@ def _lowest(ends: AlternativeEvaluations, check: Check) -> int:
 
 def _evaluate_ends(
     evaluation: Evaluation,
-    one: FavourableInput,
+    moved: FavourableInput,
     by_histories: bool,
     cancelled: Callable[[], bool],
     precision: Precision,
@@ -168,13 +181,13 @@ def _evaluate_ends(
     the others only a lower zeta counts, unless each is written."""
     decides, target = require_value(evaluation.decides), evaluation.scene.demand.zeta_target
     by_clauses = [0.0]
-    if len(one.ends) > 1:
-        by_clauses = [_by_clause(_evaluate_at(evaluation, end.change, False, cancelled)) for end in one.ends]
-    ends: AlternativeEvaluations = [None] * len(one.ends)
+    if len(moved.ends) > 1:
+        by_clauses = [_by_clause(_evaluate_at(evaluation, end.change, False, cancelled)) for end in moved.ends]
+    ends: AlternativeEvaluations = [None] * len(moved.ends)
     lowest = None
     for k in sorted(range(len(ends)), key=lambda k: by_clauses[k]):
-        looked = precision if one.each_written else up_to(lowest, precision, target)
-        ends[k] = end = _evaluate_at(evaluation, one.ends[k].change, by_histories, cancelled, looked)
+        looked = precision if moved.each_written else up_to(lowest, precision, target)
+        ends[k] = end = _evaluate_at(evaluation, moved.ends[k].change, by_histories, cancelled, looked)
         zeta = _zeta(end, decides)
         if by_histories and zeta is not None and _turns(end, decides) and (lowest is None or zeta < lowest):
             lowest = zeta

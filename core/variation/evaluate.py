@@ -289,21 +289,21 @@ def check_by_histories(
     precision = precision._replace(every=max(precision.every, FINEST))
     parts, target = (motions, scene.signs, scene.demand, scene.method), scene.demand.zeta_target
 
-    def check(model: RockingModel, precision: Precision, other: bool) -> DynamicCheck | None:
-        return scene.histories(model, *parts, precision, other, cancelled)
+    def check(model: RockingModel, looked: Precision, both_sides: bool = other) -> DynamicCheck | None:
+        return scene.histories(model, *parts, looked, both_sides, cancelled)
 
     worst: DynamicCheck | None = None
     for branch in scene.branches:
         if branch.assumed and worst and not worst.satisfied(target):
             break  # the softest masonry fails already
-        model, looked = branch.of(scene.model), up_to(worst.zeta if worst else None, precision, target)
-        made = check(model, looked, other and worst is None)
+        model = branch.of(scene.model)
+        made = check(model, up_to(worst.zeta, precision, target), False) if worst else check(model, precision)
         if made is None or (worst and _worth(made) >= _worth(worst)):
             continue
         if worst and other:
-            made = require_value(check(model, precision, other))
+            made = require_value(check(model, precision))
         worst = replace(made, branch=branch)
-    return worst or check(scene.model, precision, other)
+    return worst or check(scene.model, precision)
 
 
 def up_to(zeta: float | None, precision: Precision, target: float) -> Precision:

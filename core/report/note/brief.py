@@ -47,11 +47,13 @@ def note(result: StudyResult, language: str) -> list[Part]:
     if result.case.report.extent == "full" or not result.verdicts:
         return full_note(result, language)
     words, ordered = Words(language), sort_by_severity(result.verdicts, result.walls)
-    parts = [*_first_page(result, ordered, words), *plan_figure.plan(result, words)]
+    parts, plan = _first_page(result, ordered, words), plan_figure.plan(result, words, ranked=False)
+    demand = [*demand_parts(result, words, plan), *record_parts(result, words, brief=True)]
+    parts += demand if plan else []  # a page of its own before the walls
     for verdict in ordered[:MAX_WALLS]:
         parts += _wall_pages(result, verdict, words)
-    parts += [*demand_parts(result, words), *record_parts(result, words, brief=True)]
-    return [*parts, *closing_parts(result, words, new_page=False)]
+    parts += [] if plan else demand
+    return [*parts, *closing_parts(result, words, new_page=bool(plan))]
 
 
 def _first_page(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> list[Part]:
@@ -88,22 +90,27 @@ def _governing(result: StudyResult, verdict: WallVerdict) -> WallResult:
 def _walls_table(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> Table:
     """A row a wall, the worst first."""
     say, number = words.say, words.number
-    states = [state for state in LIMIT_STATES if any(one.states[state].check for one in ordered if state in one.states)]
+    states = [
+        state
+        for state in LIMIT_STATES
+        if any(verdict.states[state].check for verdict in ordered if state in verdict.states)
+    ]
     states = [state for state in states if state != result.demand_required.limit_state]
     heads = [say("Wall, H × t [m]"), say("Mechanism and hinge that decide"), "ζ_E", say("least"), say("by")]
     heads += [*states, say("Verdict")]
-    rows, tones = [], {}
+    rows, tones, places = [], {}, plan_figure.plan_numbers(result)
     for n, verdict in enumerate(ordered):
         wall = _governing(result, verdict)
-        said, checks = wall.required_assessment.verdict, wall.required_assessment.checks
-        by = next((words.short(check) for check in checks if check.name == said.governing), "–")
+        found, checks = wall.required_assessment.verdict, wall.required_assessment.checks
+        by = next((words.short(check) for check in checks if check.name == found.governing), "–")
         where = hinge_location(wall)
         place = where.text(words.language) if isinstance(where, Sentence) else where
         size = f"{number(wall.part.asked.height_m or wall.height, '.2f')} × {number(wall.thickness, '.2f')}"
-        row = [f"{verdict.title}, {size}", f"{words.word(wall.mechanism)}{place}"]
-        row += [number(said.zeta_e, ".2f"), number(verdict.zeta_least, ".2f"), by]
+        number_there = f"{places[verdict.governing]} " if verdict.governing in places else ""
+        row = [f"{number_there}{verdict.title}, {size}", f"{words.word(wall.mechanism)}{place}"]
+        row += [number(found.zeta_e, ".2f"), number(verdict.zeta_least, ".2f"), by]
         row += [number(verdict.states[state].zeta if state in verdict.states else None, ".2f") for state in states]
-        rows.append([*row, words.word(said.code)])
+        rows.append([*row, words.word(found.code)])
         tones[n, 2] = tones[n, len(row)] = tone_of(result, wall)
     numbers = [verdict.governing for verdict in ordered]
     widths = (3.0, 3.4, 0.7, 0.7, 1.7, *[0.7] * len(states), 2.0)
@@ -114,8 +121,8 @@ def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) ->
     """What the designer does next: each sentence once, with the walls it is of."""
     names: dict[str, list[str]] = {}
     for verdict in ordered:
-        for said in _governing(result, verdict).required_assessment.verdict.to_do:
-            names.setdefault(said.text(words.language, names_in(words.language)), []).append(verdict.title)
+        for sentence in _governing(result, verdict).required_assessment.verdict.to_do:
+            names.setdefault(sentence.text(words.language, names_in(words.language)), []).append(verdict.title)
     if not names:
         return []
     rows = [(", ".join(walls), line) for line, walls in names.items()]
@@ -163,9 +170,9 @@ def _limits(wall: WallResult, words: Words) -> list[str]:
     assessment = wall.required_assessment
     verdict, tabled = assessment.verdict, assumption_table.tabled(wall, words.language)
     chosen = [*verdict.limits[: verdict.blocking]]
-    chosen += [one for one in verdict.limits[verdict.blocking :] if one.code in BESIDE_THE_OUTCOME]
+    chosen += [limit for limit in verdict.limits[verdict.blocking :] if limit.code in BESIDE_THE_OUTCOME]
     lines = [
-        f"{word('limits', words.language)}: {one.text(words.language, names_in(words.language))}" for one in chosen
+        f"{word('limits', words.language)}: {limit.text(words.language, names_in(words.language))}" for limit in chosen
     ]
     return [line for line in dict.fromkeys(lines) if line not in tabled]
 
@@ -193,8 +200,8 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, words: Words) -> list
     assessment, language = wall.required_assessment, words.language
     if assessment.kinematic is None:
         return wall_parts(result, wall, cell_prefix(result, wall), words)
-    said = assessment.verdict
-    outcome = f"{words.word(said.code)}, ζ {words.number(said.zeta_e, '.2f')}"
+    found = assessment.verdict
+    outcome = f"{words.word(found.code)}, ζ {words.number(found.zeta_e, '.2f')}"
     parts: list[Part] = [
         Heading(f"{verdict.title} – {outcome}", 2, True, verdict.governing),
         Paragraph(sentence_of(wall, language), tone_of(result, wall)),
@@ -206,7 +213,7 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, words: Words) -> list
     parts += _turning_rows(result, verdict, words)
     parts += [*site.solids(wall, words), *site.loads(wall, words)]
     drawn = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]
-    drawn += [wall_figures.capacity(result, wall, words) if said.governing == "nonlinear" else None]
+    drawn += [wall_figures.capacity(result, wall, words) if found.governing == "nonlinear" else None]
     drawn += [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
     parts += side_by_side(drawn)
     for title, steps in Derivations(result, words, cell_prefix(result, wall)).deciding(wall):

@@ -1,6 +1,6 @@
 """The calculation note of a result, part after part."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from core.case.document import document_of
@@ -154,10 +154,10 @@ def works(result: StudyResult, words: Words) -> list[tuple[str, str]]:
     return [row for row in rows if row[1]]
 
 
-def demand_parts(result: StudyResult, words: Words) -> list[Part]:
-    """Demand, its spectrum, and FC."""
+def demand_parts(result: StudyResult, words: Words, plan: Sequence[Part] = ()) -> list[Part]:
+    """Demand, its spectrum, and FC. plan : of the building, beneath the heading"""
     say, demand, asked = words.say, result.demand, result.case.demand
-    parts: list[Part] = [Heading(say("Site and demand"), new_page=True)]
+    parts: list[Part] = [Heading(say("Site and demand"), new_page=True), *plan]
     if demand is None or asked is None:
         return [*parts, Paragraph(say("No demand given: no check."), "strong")]
     steps = []
@@ -272,17 +272,7 @@ def record_parts(result: StudyResult, words: Words, brief: bool = False) -> list
         parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
     if result.selection:
         parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
-    made = find_generation_settings(result.motions)
-    if made is not None:
-        known = {"n": made.count, "first": made.seed, "last": made.seed + made.count - 1}
-        said = say(
-            "{n} motions generated, seeds {first} to {last}: noise whose spectrum is brought to that of the demand "
-            "times exp({scatter} ε(T)), ε correlated over the periods (Baker and Jayaram 2008), the set with one "
-            "factor so that its mean fits (NTC 2018 3.2.3.6).",
-            scatter=words.number(made.scatter, ".2f"),
-            **known,
-        )
-        parts.append(Paragraph(said))
+    parts += _generated(result, words)
     rules = result.compliance
     if rules is not None:
         line = (
@@ -292,6 +282,22 @@ def record_parts(result: StudyResult, words: Words, brief: bool = False) -> list
         )
         parts.append(Paragraph(line))
     return parts if brief else parts + side_by_side([spectra_figure.spectra(result, words)])
+
+
+def _generated(result: StudyResult, words: Words) -> list[Part]:
+    """How motions were generated."""
+    settings = find_generation_settings(result.motions)
+    if settings is None:
+        return []
+    seeds = {"n": settings.count, "first": settings.seed, "last": settings.seed + settings.count - 1}
+    sentence = words.say(
+        "{n} motions generated, seeds {first} to {last}: noise whose spectrum is brought to that of the demand "
+        "times exp({scatter} ε(T)), ε correlated over the periods (Baker and Jayaram 2008), the set with one "
+        "factor so that its mean fits (NTC 2018 3.2.3.6).",
+        scatter=words.number(settings.scatter, ".2f"),
+        **seeds,
+    )
+    return [Paragraph(sentence)]
 
 
 def in_runs(steps: list[Step]) -> list[Derivation]:

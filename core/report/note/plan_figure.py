@@ -9,8 +9,15 @@ AWAY, MARGIN = 0.05, 0.14
 """Distance of the words from their wall, and the room around the plan, of its size."""
 
 
-def plan(result: StudyResult, words: Words) -> list[Part]:
-    """The key plan under its heading; nothing where fewer than two walls have a place."""
+def plan_numbers(result: StudyResult) -> dict[int, int]:
+    """Number of a result that decides about its wall -> its number in the key plan; empty without one."""
+    placed = key_plan(result)
+    return {place.result: n for n, place in enumerate(placed, start=1)} if len(placed) > 1 else {}
+
+
+def plan(result: StudyResult, words: Words, ranked: bool = True) -> list[Part]:
+    """The key plan under its heading; nothing where fewer than two walls have a place. ranked : with the table of the
+    walls by their numbers"""
     placed = key_plan(result)
     if len(placed) < 2:
         return []
@@ -23,7 +30,8 @@ def plan(result: StudyResult, words: Words) -> list[Part]:
     caption = words.say("Key plan: each wall in the colour of its outcome, numbered from the worst")
     x_range, y_range = (left - margin, right + margin), (low - margin, high + margin)
     figure = Figure(caption, curves, x_range=x_range, y_range=y_range, labels=labels)
-    return [Heading(words.say("Key plan"), 3), Figures((figure,)), _ranked(placed, words)]
+    table = [_ranked(placed, words)] if ranked else []
+    return [Heading(words.say("Key plan"), 3), Figures((figure,)), *table]
 
 
 def _ranked(placed: list[Placed], words: Words) -> Table:
