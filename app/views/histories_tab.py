@@ -24,7 +24,7 @@ from core.study.bar_histories import BarHistory, bar_histories, work_of_impacts
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import format_number
 from core.units import G
-from core.wall.rocking_model import weakened
+from core.wall.rocking_model import RockingModel, weakened
 
 SLIDER = 2000
 REPEAT_PAUSE = 5.0
@@ -99,6 +99,7 @@ class HistoriesTab(ResultTab):
         self.shown: tuple[StudyResult, WallResult] | None = None
         self.history: History | None = None
         self.second: History | None = None
+        self.model: RockingModel
         self.cursors: list[pg.InfiniteLine] = []
 
     def _lay_out(self) -> None:
@@ -135,6 +136,7 @@ class HistoriesTab(ResultTab):
         """Fill the tab from one wall of a result."""
         self.walls.show_wall(wall)
         self.shown, self.history, self.cursors = (result, wall), None, []
+        self.model = wall.model
         self.again.setVisible(bool(wall.model.bars))
         self.below.tabBar().setVisible(bool(wall.model.bars))
         self.below.setCurrentIndex(1 if wall.model.bars else 0)
@@ -273,13 +275,14 @@ class HistoriesTab(ResultTab):
         if (k in (1, 2) and demand is None) or (k in (3, 4) and bracket is None):
             self.words.setText(tr("Not known here: no demand, or no collapse of this record."))
             return
-        strength_factor = 1.0
+        # the check at the demand has the elastic branch, or the hinge, that fares worst; q is searched without
+        strength_factor, self.model = 1.0, wall.governing_model if k in (1, 2) else wall.model
         if k == 1:
             q = require_value(demand).scaling(self.motion) * self.motion.pga / threshold_of(wall.model)
         elif k == 2:  # as the dynamic check has it
             demand = require_value(demand)
-            model, factor = model_and_scale_at_demand(wall.model, demand, demand.confidence_on, self.motion)
-            strength_factor = wall.model.p2 / model.p2
+            model, factor = model_and_scale_at_demand(self.model, demand, demand.confidence_on, self.motion)
+            strength_factor = self.model.p2 / model.p2
             q = factor / strength_factor * self.motion.pga / threshold_of(wall.model)
         else:
             q = {3: bracket and bracket[0], 4: bracket and bracket[1], 5: 2.0}.get(k)
@@ -294,9 +297,9 @@ class HistoriesTab(ResultTab):
         scale = self.run.polarity * multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
         ground, dt = self.acceleration, self.motion.time_step
         # strength over FC is p^2 / FC under the ground times FC (core/codes/dynamic_check.py)
-        model = weakened(wall.model, self.strength_factor)
+        model = weakened(self.model, self.strength_factor)
         self.history = integrate_history(ground, dt, self.strength_factor * scale, model, result.method)
-        ratio = self.history.rotation / wall.model.collapse_rotation
+        ratio = self.history.rotation / model.collapse_rotation
         self.curve.setData(self.times[: ratio.size], ratio)
         felt = scale * ground / G  # multiplier and sign in use
         self.ground_curve.setData(self.times, felt)
@@ -319,7 +322,7 @@ class HistoriesTab(ResultTab):
         if self.history.outcome == COLLAPSED:  # its largest rotation is where the analysis ended
             outcome = result_word("overturned")
         else:
-            peak = format_number(self.history.peak / wall.model.collapse_rotation, ".2f", current_language())
+            peak = format_number(self.history.peak / model.collapse_rotation, ".2f", current_language())
             outcome = f"{tr('stands')}   θmax/θc {peak}"
         which = self._wall_in_words()
         wall_and_c = (title_of(wall), f"C {number(abs(scale), '.3f')}")
@@ -346,7 +349,7 @@ class HistoriesTab(ResultTab):
             motion.acceleration, motion.time_step, run.polarity * factor, model, result.method
         )
         self.second_step = motion.time_step
-        ratio = self.second.rotation / wall.model.collapse_rotation
+        ratio = self.second.rotation / model.collapse_rotation
         times = np.arange(ratio.size) * motion.time_step
         self.second_curve.setData(times, ratio)
         self.rotation.data.append((tr("second record"), times, ratio))
@@ -382,6 +385,8 @@ class HistoriesTab(ResultTab):
             words = [tr("strength as it is, without FC")]
         else:
             words = [f"{result_word('confidence_capacity')}: {number(self.strength_factor, '.2f')}"]
+        if self.model != wall.model:
+            words.append(tr("elastic branch or hinge of the check"))
         if result.demand is not None:
             factor = multiplier_of(self.q, self.motion.pga, threshold_of(wall.model))
             words.append(

@@ -71,14 +71,33 @@ class Derivations:
         return self._titled(sections)
 
     def deciding(self, wall: WallResult) -> list[tuple[str, list[Step]]]:
-        """(title, steps) of what the check that decides about a wall follows from, and what the wall withstands."""
+        """(title, steps) of what the check that decides about a wall follows from, and what the wall withstands: with
+        every section that a line of these needs."""
         governing = wall.required_assessment.verdict.governing or ""
         checks = of_wall.sections_by_check(self.result, wall)
-        chosen = next((section for name, section in checks.items() if governing.startswith(name)), None)
+        deciding = {name for name in checks if governing.startswith(name)}
         # histories are of the block: alpha_0, e*, a_0* are of the checks of the clauses
-        chain = [] if governing == "dynamic" and not wall.wall.bends else [of_wall.chain(wall)]
-        between = [] if chosen is None else [chosen]
-        return self._titled([geometry(wall), *chain, *between, of_wall.risk(self.result, wall)])
+        chain = governing != "dynamic" or wall.wall.bends
+        sections = [(geometry(wall), True), (of_wall.chain(wall), chain)]
+        sections += [(section, name in deciding) for name, section in checks.items()]
+        return self._titled(_with_needed([*sections, (of_wall.risk(self.result, wall), True)]))
 
     def _titled(self, sections: list[Section]) -> list[tuple[str, list[Step]]]:
         return [(section.title, self.steps(section)) for section in sections]
+
+
+def _with_needed(sections: list[tuple[Section, bool]]) -> list[Section]:
+    """The sections that are wanted, with those that give what their lines need."""
+    lines = [[line for line in section.lines if not isinstance(line, Columns)] for section, _ in sections]
+    names = [{line.of.name for line in of_section} for of_section in lines]
+    needs = [
+        {name for line in of_section for of in (line.quantity, line.shown_by) if of for name in of.needs}
+        for of_section in lines
+    ]
+    chosen = {k for k, (_, wanted) in enumerate(sections) if wanted}
+    while True:
+        missing = set().union(*(needs[k] for k in chosen)) - set().union(*(names[k] for k in chosen))
+        more = {k for k, given in enumerate(names) if given & missing} - chosen
+        if not more:
+            return [sections[k][0] for k in sorted(chosen)]
+        chosen |= more

@@ -1,6 +1,7 @@
 """The calculation note: its derivations, its figures, the document; the workbook with another input."""
 
 import io
+import itertools
 import re
 import shutil
 import subprocess
@@ -23,15 +24,19 @@ from core.errors import InputError, OutputError
 from core.report.assumption_table import tabled
 from core.report.derived import cell_prefix
 from core.report.note import document
+from core.report.note.brief import note
 from core.report.note.content import full_note
 from core.report.note.equation import MAX_WHOLE_LINE, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Step, Table
 from core.report.verdict_words import lines_of, sentence_of, sort_results
 from core.study.demand_histories import deciding_runs, demand_histories
 from core.study.run import run
+from core.text.sentence import format_number, word
 from core.units import G
+from tests.clauses_alone import parse_case as clauses_alone
 from tests.conftest import ROOT
 from tests.core.report import whole_workbook
+from tests.core.variation.random_walls import random_tables
 from tests.holds import at_top, shown
 from tests.validation.circolare import HELD, case
 
@@ -67,8 +72,8 @@ def held():
 def test_that_each_line_of_a_derivation_gives_its_result(building, verdict, held):
     """The numbers of a line, computed as they stand there, give the result to the digits they are written with."""
     counted = 0
-    for result in (building, verdict, held):
-        for step in steps_of(full_note(result, "en")):
+    for result, write in itertools.product((building, verdict, held), (full_note, note)):
+        for step in steps_of(write(result, "en")):
             written = step.in_numbers("en")
             if not written or "κ" in step.formula:
                 continue
@@ -126,13 +131,35 @@ CONSTANTS = {"zeta", "share", "factor", "damping", "gravity", "topography", "are
 @pytest.mark.shows("note.lines")
 def test_that_whatever_a_line_is_made_of_stands_above_it(building, verdict):
     """Each number of the note is counted from numbers of the note: of lines, of its tables, constants of a clause."""
-    for result in (building, verdict):
-        steps = steps_of(full_note(result, "en"))
+    for result, write in itertools.product((building, verdict), (full_note, note)):
+        steps = steps_of(write(result, "en"))
         known = {step.cell for step in steps if not (step.cell or "").startswith("wall")}
         for step in steps:
             needs = set(step.quantity.needs if step.quantity else ()) - IN_TABLES - CONSTANTS - known
             assert {name for name in needs if not name.startswith("soil_")} == set(), step.written("en")
             known |= {step.cell, re.sub(r"^wall\d+_", "", step.cell or "")}
+
+
+@pytest.mark.shows("note.brief")
+@pytest.mark.parametrize("walls", [25, pytest.param(200, marks=pytest.mark.long)])
+def test_that_a_brief_note_of_any_wall_has_its_outcome_and_lines_that_follow_from_its_lines(walls):
+    """Random walls by the clauses, whatever check decides about them."""
+    decided = set()
+    for table in random_tables(walls, first=2200):
+        try:
+            result = run(clauses_alone(table), base_dir=Path())
+        except InputError:
+            continue
+        (verdict,) = result.verdicts
+        found = result.walls[verdict.governing].required_assessment.verdict
+        decided.add(found.governing)
+        for language in ("en", "it"):
+            parts = note(result, language)
+            (row,) = next(part for part in parts if isinstance(part, Table) and part.walls).rows
+            assert row[-1] == word(found.code, language) and format_number(found.zeta_e, ".2f", language) in row
+            signed = next(k for k, part in enumerate(parts) if isinstance(part, Blanks))
+            assert not any(isinstance(part, Derivation) for part in parts[:signed])
+    assert len(decided) > 1
 
 
 @pytest.mark.shows("note.walls")
