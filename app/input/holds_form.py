@@ -48,6 +48,8 @@ def _hold_has(hold: Hold, key: str) -> bool:
         return False
     if key == "fy_mpa":
         return hold.bar is None
+    if key == "elongation_m" and not hold.is_bar:
+        return hold.has_height and hold.out_kn_m is not None
     if key == "in_kn_m":
         return hold.has_height and not hold.is_bar and hold.out_kn_m is not None
     if key == "out_kn_m":

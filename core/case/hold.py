@@ -122,9 +122,9 @@ class Hold:
     shoulder_length_m, shoulder_thickness_m : of the masonry beyond the last cross wall, along the wall and across it
     corner_wall : wall of the case with a [wall.corner] that stands there, and takes the thrust; corner_side : which of
         its two walls this one goes on from, 1 or 2
-    bar_length_m and what follows : of a tie only
+    bar_length_m and what follows : of a tie only, but for elongation_m
     fy_mpa : with out_kn_m, gives the elongation at yield; 235 if none is given
-    elongation_m : what it stands before it is gone; without it, it fails at yield
+    elongation_m : what it stands before it is gone, of a hold that yields at out_kn_m; without it, it is brittle
     slack_mm : before it pulls; prestress : share of the force at yield
     design : it is not there yet: what it has to hold is sought
     """

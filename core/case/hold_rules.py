@@ -9,7 +9,7 @@ from core.case.document import STRENGTH
 from core.case.held_stretches import find_held_stretches, stands_outward
 from core.case.hold import HOLD_KINDS, TIE, Hold, hold_kind
 from core.case.site import Building
-from core.case.tie_rules import OF_A_TIE, check_tie
+from core.case.tie_rules import OF_AN_OLD_TIE, check_tie
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
 from core.errors import InputError, place, section
@@ -57,6 +57,9 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
         raise InputError("document_reference", place=here, key="reference", kind=hold.evidence.kind)
     if hold.in_kn_m is not None and (hold.out_kn_m is None or not hold.has_height or hold.is_bar):
         raise InputError("hold_inward", place=here, key="in_kn_m", out_kn_m=Key("out_kn_m"))
+    yields = hold.elongation_m is not None and not hold.is_bar
+    if yields and (hold.out_kn_m is None or not hold.has_height):
+        raise InputError("hold_yields", place=here, key="elongation_m", out_kn_m=Key("out_kn_m"))
     check_tie(wall, hold, here)
     _check_height(wall, hold, here)
 
@@ -165,7 +168,7 @@ def _hold_in_words(hold: Mapping[str, Any]) -> str:
 def _tie_in_words(load: Mapping[str, Any]) -> str:
     """A tie that was among the loads, as a hold."""
     share, length = load.get("elongation"), load.get("bar_length_m")
-    names = {"kind": "kind", "h_m": "h_m", "kn_m": "out_kn_m"} | {key: key for key in OF_A_TIE if key != "design"}
+    names = {"kind": "kind", "h_m": "h_m", "kn_m": "out_kn_m"} | {key: key for key in OF_AN_OLD_TIE}
     keys = [f"{new} = {_toml_value(load[old])}" for old, new in names.items() if old in load]
     if isinstance(share, float | int) and isinstance(length, float | int):
         keys.append(f"elongation_m = {share * length:.6g}")

@@ -7,8 +7,11 @@ from core.known import require_value
 from core.text.sentence import Key
 from core.wall.ties import elongation_at_yield
 
-OF_A_TIE = ("bar_length_m", "fy_mpa", "elongation_m", "slack_mm", "prestress", "bar", "design")
+OF_A_TIE = ("bar_length_m", "fy_mpa", "slack_mm", "prestress", "bar", "design")
 """Keys of a hold that only a tie has."""
+
+OF_AN_OLD_TIE = ("bar_length_m", "fy_mpa", "elongation_m", "slack_mm", "prestress", "bar")
+"""Keys of a tie that was among the loads."""
 
 NOT_SOUGHT = ("out_kn_m", "fy_mpa", "slack_mm", "prestress", "bar")
 """Keys of what a tie is, which one that is sought has not."""

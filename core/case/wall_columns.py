@@ -16,7 +16,7 @@ from core.case.keys import NESTED
 from core.case.number import parse_quantity
 from core.case.rules import parse_wall
 from core.case.set_aside import ROWS
-from core.case.tie_rules import OF_A_TIE
+from core.case.tie_rules import OF_A_TIE, OF_AN_OLD_TIE
 from core.case.values import field_of
 from core.case.wall import Wall
 from core.errors import InputError, place
@@ -148,7 +148,7 @@ OLD_STARTS = {
     **dict.fromkeys(("tie_bar", "tie bar length", "lunghezza barra catena"), "hold1_bar_length_m"),
     **dict.fromkeys(("tie_elong", "tie elongation", "allungamento catena"), "hold1_elongation_m"),
 }
-OLD_STARTS |= {f"load{n}_{key}": f"hold{n}_{key}" for n in range(1, MAX_LOADS + 1) for key in OF_A_TIE}
+OLD_STARTS |= {f"load{n}_{key}": f"hold{n}_{key}" for n in range(1, MAX_LOADS + 1) for key in OF_AN_OLD_TIE}
 OLD_STARTS |= {f"load{n}_elongation": f"hold{n}_elongation_m" for n in range(1, MAX_LOADS + 1)}
 """How older titles began -> the column that says the same now."""
 

@@ -16,6 +16,7 @@ from core.mechanism.rest import (
     base_reaction,
     greatest_at_top,
     holds_at_rest,
+    least_at_top,
     multiplier_at_rest,
     simple_reactions,
 )
@@ -50,12 +51,14 @@ class HoldLimit(NamedTuple):
 
 
 def reaction_of_top(sections: Sections, moving: MovingStrip, alpha: float) -> float:
-    """Largest reaction [N/m] of a stiff hold at the top under pushes up to alpha [-]: at rest the lesser of the simple
-    beam and of what pulls the wall in over its inner edge, from the start of the mechanism on the bound of what
-    moves."""
+    """Largest reaction [N/m] of a hold at the top under pushes up to alpha [-]. At rest, of a stiff one the lesser of
+    the simple beam and of what pulls the wall in over its inner edge, of one that yields the least with which the wall
+    stays; from the start of the mechanism on, where all of them meet, the bound of what moves."""
     if alpha >= moving.alpha0:
         return moving.bound(alpha)
     height = require_value(sections.wall.height)
+    if sections.wall.declared.yields:
+        return least_at_top(sections, height, alpha)
     return max(0.0, min(simple_reactions(sections, [height], alpha)[0], greatest_at_top(sections, height, alpha)))
 
 

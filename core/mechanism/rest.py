@@ -76,13 +76,29 @@ NEAR_TOP = 1e-7
 def greatest_at_top(sections: Sections, height: float, alpha: float) -> float:
     """`greatest_reaction` [N/m] of one hold at this height [m], where nothing but the wall is held: in closed form, the
     least of (alpha S + M_i)/(height - z) over all sections."""
+    return float(_over_levers(sections, height, alpha, slice(5, 8)).min())
+
+
+def least_at_top(sections: Sections, height: float, alpha: float) -> float:
+    """`least_reaction` [N/m] of one hold at this height [m], where nothing but the wall is held: in closed form, R_lo,
+    the largest of (alpha S - M_o)/(height - z) over all sections, none below 0; with what the bed joint at the base
+    cannot take by its friction, where nothing else holds the foot."""
+    least = max(0.0, float(_over_levers(sections, height, alpha, slice(8, 11)).max()))
+    if sections.wall.declared.foot_strength is not None:
+        return least
+    return max(least, base_reaction(sections, [], alpha) - SLIDING * sections.at(0.0).weight)
+
+
+def _over_levers(sections: Sections, height: float, alpha: float, of_moment: slice) -> np.ndarray:
+    """(alpha S + moment)/(height - z) at the ends of each stretch and where it is extreme inside. of_moment : columns
+    of its coefficients in `Sections.pieces`"""
     pieces = sections.pieces[sections.pieces[:, 0] < height]
     low, high = pieces[:, 0], np.minimum(pieces[:, 1], height * (1.0 - NEAR_TOP))
-    a, b, c = (alpha * pieces[:, 2:5] + pieces[:, 5:8]).T
+    a, b, c = (alpha * pieces[:, 2:5] + pieces[:, of_moment]).T
     with np.errstate(divide="ignore", invalid="ignore"):
         inside = height - np.sqrt(height**2 + (b * height + a) / c)
     places = np.array([low, high, np.clip(np.where(np.isfinite(inside), inside, low), low, high)])
-    return float(((a + b * places + c * places**2) / (height - places)).min())
+    return (a + b * places + c * places**2) / (height - places)
 
 
 def simple_reactions(sections: Sections, heights: Sequence[float], alpha: float) -> list[float]:

@@ -76,8 +76,8 @@ class Sections:
 
     @cached_property
     def pieces(self) -> np.ndarray:
-        """Stretches over which S and M_i with the thrusts are quadratic functions of z, as an array of rows (from, to,
-        three coefficients of S, three of the other), those of the power 0 first [m, N]."""
+        """Stretches over which S, M_i with the thrusts and the thrusts less M_o are quadratic functions of z, as an
+        array of rows (from, to, three coefficients of each), those of the power 0 first [m, N]."""
         rows = []
         for low, high in pairwise(self.levels):
             for n in range(PIECES):
@@ -85,7 +85,7 @@ class Sections:
                 places = ends[0], 0.5 * sum(ends), ends[1]
                 cut = self.at(places[0]), self.at(places[1]), self.at_below(places[2])
                 powers = np.vander(places, increasing=True)
-                values = np.array([(section.push, section.pressing + section.inner) for section in cut])
+                values = np.array([(s.push, s.pressing + s.inner, s.pressing - s.outer) for s in cut])
                 rows.append([*ends, *np.linalg.solve(powers, values).T.ravel()])
         return np.array(rows)
 

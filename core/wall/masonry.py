@@ -87,6 +87,7 @@ class Declared:
     strength : of what holds its top [N/m]; beside : weight whose inertia that takes beside the wall's own [N/m]
     inward : strength of what holds its top against a motion inward [N/m]; None where it is not compared
     foot_strength : of what holds its base across [N/m]; None of one that rests on the friction of its bed joint
+    yields : what holds its top yields at its strength and is stretched before it is gone
     """
 
     restraint: str | None = None
@@ -97,6 +98,7 @@ class Declared:
     beside: float = 0.0
     foot_strength: float | None = None
     inward: float | None = None
+    yields: bool = False
 
 
 @dataclass(frozen=True)

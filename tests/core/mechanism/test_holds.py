@@ -52,6 +52,33 @@ def test_that_a_hold_of_30_kn_is_overcome_where_the_worked_wall_reaches_it():
     assert limits()[TOP, "outward"].share(2.0093143) == pytest.approx(0.946, abs=5e-4)
 
 
+@pytest.mark.shows("held.yields")
+def test_that_a_hold_that_yields_is_asked_for_the_least_and_is_never_worse():
+    """2 kN/m at a ground floor that a stiff hold asks 2.8 of (worked value 1), which needs none to stay at rest; random
+    walls: what it holds with an elongation is no less, and alike once it moves."""
+    ground = {"height_m": 3.4, "thickness_m": 0.5, "unit_weight_kn_m3": 21.0}
+    ground["load"] = [{"kind": "vertical", "kn_m": 42.4, "d_m": 0.25, "h_m": 3.4, "mass": "none"}]
+    brittle, ductile = ([hold] for hold in (at_top(3.4, 2.0)[0], at_top(3.4, 2.0)[0] | {"elongation_m": 0.01}))
+    assert limits(**ground, hold=brittle)[TOP, "outward"].share(0.157010) < 1.0
+    assert limits(**ground, hold=ductile)[TOP, "outward"].share(0.157010) > 1.0
+    draw = random.Random(9)
+    for _ in range(20):
+        keys = {"thickness_m": draw.uniform(0.25, 0.8), "height_m": draw.uniform(2.5, 4.0)}
+        load = {"kind": "vertical", "kn_m": draw.uniform(2.0, 60.0), "d_m": 0.4 * keys["thickness_m"], "mass": "none"}
+        keys["load"] = [load | {"h_m": keys["height_m"]}]
+        hold = at_top(keys["height_m"], draw.uniform(0.5, 40.0))[0]
+        stiff, yielding = (limits(**keys, hold=[hold | more]) for more in ({}, {"elongation_m": 0.02}))
+        for key, limit in stiff.items():
+            assert yielding[key].push >= limit.push * (1.0 - 1e-9), key
+
+
+@pytest.mark.parametrize("hold", [{"kind": "floor", "h_m": 3.0}, {"kind": "cross_walls", "spacing_m": 5.0}])
+def test_that_an_elongation_without_a_strength_at_a_height_is_refused(hold):
+    with pytest.raises(InputError) as refused:
+        parse_case({"wall": [HELD | {"hold": [hold | {"elongation_m": 0.01}]}]})
+    assert refused.value.key == "elongation_m"
+
+
 def test_that_the_base_of_a_stocky_wall_is_a_hold():
     found = limits()
     assert found[BASE, "outward"].push == pytest.approx(1.137492, rel=1e-6)

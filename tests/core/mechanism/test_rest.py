@@ -2,6 +2,7 @@
 
 import math
 import random
+from dataclasses import replace
 
 import pytest
 
@@ -11,13 +12,14 @@ from core.mechanism.rest import (
     greatest_at_top,
     greatest_reaction,
     holds_at_rest,
+    least_at_top,
     least_reaction,
     multiplier_at_rest,
     simple_reactions,
 )
 from core.mechanism.sections import Sections
 from core.wall.block import Block
-from core.wall.masonry import Load, Masonry
+from core.wall.masonry import Declared, Load, Masonry
 
 FREE = 1e7
 """A strength that is never reached [N/m]."""
@@ -126,6 +128,36 @@ def test_that_a_stocky_held_wall_slides_at_its_base_before_it_bends():
     assert multiplier_at_rest(held, [Reach(3.0, FREE)]) == pytest.approx(1.137492, rel=1e-6)
     inward = wall(3.0, 0.8, 18.0, [(20.0, 0.50, 3.0)])
     assert multiplier_at_rest(inward, [Reach(3.0, FREE)]) == pytest.approx(1.026870, rel=1e-6)
+
+
+def test_that_four_rows_of_connectors_that_yield_hold_a_leaf_with_the_least_equal_force():
+    """Worked value 18: 1.246875 kN/m a row, where stiff ones ask 1.6625 of the highest."""
+    leaf, rows = wall(4.0, 0.25, 21.0), (0.5, 1.5, 2.5, 3.5)
+    for force, stays in ((1246.8749, False), (1246.8751, True)):
+        assert holds_at_rest(leaf, [Reach(h, force) for h in rows], 0.3, friction=FREE) == stays
+
+
+@pytest.mark.shows("held.yields")
+def test_that_the_least_reaction_at_a_top_is_that_of_the_polygons():
+    """Two ways: in closed form over the sections, and what is left of the polygons; and with 12 kN/m that yield the
+    ground floor stays at rest to 0.993986 (worked value 2)."""
+    assert least_at_top(GROUND_FLOOR, 3.4, 0.157010) == 0.0
+    assert least_at_top(GROUND_FLOOR, 3.4, 0.993986) == pytest.approx(12000.0, rel=1e-6)
+    draw, compared = random.Random(6), 0
+    for _ in range(30):
+        height = draw.uniform(2.5, 4.0)
+        loads = [(draw.uniform(1.0, 40.0), draw.uniform(0.1, 0.3), draw.uniform(0.3, 1.0) * height)]
+        sections = wall(height, draw.uniform(0.2, 0.8), 18.0, loads * draw.choice((0, 1)), draw.uniform(0.0, 0.03))
+        held = Sections(replace(sections.wall, declared=Declared(foot_strength=FREE)))
+        for alpha in (0.1, 0.2, 0.4):
+            if (polygons := least_reaction(held, [Reach(height, FREE)], 0, alpha)) is not None:
+                assert least_at_top(held, height, alpha) == pytest.approx(polygons, rel=1e-6, abs=1e-3)
+                compared += polygons > 0.0
+            if holds_at_rest(sections, [Reach(height, FREE)], alpha):  # with the friction of its base
+                least = least_at_top(sections, height, alpha)
+                assert holds_at_rest(sections, [Reach(height, least * (1.0 + 1e-6) + 1e-3)], alpha)
+                assert least < 1.0 or not holds_at_rest(sections, [Reach(height, 0.999 * least)], alpha)
+    assert compared > 15
 
 
 def test_that_the_greatest_reaction_at_a_top_is_that_of_the_polygons():
