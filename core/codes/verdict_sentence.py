@@ -46,7 +46,10 @@ def check_sentence(check: Check, dynamic: DynamicCheck | None, demand: SeismicDe
             demand=Number(check.demand, ".3f"),
         )
     falls = sum(run.status != "stable" for run in dynamic.runs)
-    if dynamic.peak_ratio is None and falls:
+    beyond = sum(run.exceeded or run.status != "stable" for run in dynamic.runs)
+    if beyond > falls:  # some come back from beyond theta_c, which the rule does not allow either
+        return sentence("added", "by_dynamic_beyond", n=beyond, m=len(dynamic.runs), falls=falls)
+    if falls:
         return sentence("added", "by_dynamic_falls", n=falls, m=len(dynamic.runs))
     rule = "by_dynamic_mean" if dynamic.set_rule == "mean" else "by_dynamic_maximum"
     return sentence("added", rule, peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio))

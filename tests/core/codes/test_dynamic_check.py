@@ -8,8 +8,9 @@ import pytest
 
 from core.capacity import independent_solver
 from core.codes import dynamic_check
-from core.codes.dynamic_check import DemandRuns, DynamicCheck, model_and_scale_at_demand, run_dynamic_check
+from core.codes.dynamic_check import DemandRun, DemandRuns, DynamicCheck, model_and_scale_at_demand, run_dynamic_check
 from core.codes.multiplier_search import Precision
+from core.codes.verdict_sentence import check_sentence
 from core.ground.ground_motion import GroundMotion
 from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO, METHODS
@@ -379,3 +380,29 @@ def test_that_a_wall_that_fails_shows_no_zeta_above_what_is_required(walls):
                 assert (one.zeta >= target) if passed else (one.zeta <= target)
             assert check.zeta_16 <= max(check.zeta, target)
     assert limited > 0.3 * len(walls)
+
+
+@pytest.mark.shows("dynamic.falls")
+@pytest.mark.parametrize(
+    ("peaks", "words"),
+    [
+        ((None, 1.05, 0.3), "2 of 3 exceed θ_c, 1 of them overturn"),
+        ((None, None, 0.3), "2 of 3 overturn"),
+        (
+            (1.2, 0.1, 0.05),
+            "1 of 3 exceed θ_c, 0 of them overturn",
+        ),  # the mean is below its limit: it fails all the same
+        ((0.5, 0.1, 0.05), "mean peak 0.22 θ_c, limit 0.40"),
+    ],
+)
+def test_that_the_sentence_counts_what_the_check_counts(peaks, words):
+    """d_0 may be exceeded in no run: one that comes back from beyond it was counted by the check and not said."""
+    states = ["overturned" if peak is None else "stable" for peak in peaks]
+    runs = tuple(
+        DemandRun(f"{k}", k, 1, 1.0, peak, peak is None or peak > 1.0, status)
+        for k, (peak, status) in enumerate(zip(peaks, states, strict=True))
+    )
+    mean = None if None in peaks else sum(peaks) / 3.0
+    check = DynamicCheck("SLV", runs, sum(run.exceeded for run in runs), mean, None, "mean", 0.4, 0.9, False, False)
+    demand = read_demand(case(wall={"height_m": 3.0, "thickness_m": 0.3}), None)
+    assert words in check_sentence(check.as_check(1.0), check, demand).text("en")
