@@ -77,8 +77,8 @@ def evaluate_assumptions(
         cancelled,
     )
     for k, found in enumerate(looked):
-        if rows[k].turns or rows[k].turns_q:
-            rows[k] = replace(known(found).row, turns=rows[k].turns, turns_q=rows[k].turns_q)
+        if rows[k].turns:  # alone, or with others: by the check that decides
+            rows[k] = replace(known(found).of_outcome, turns=True, turns_q=rows[k].turns_q)
     return tuple(rows)
 
 
@@ -91,12 +91,14 @@ class LookedAt(NamedTuple):
     """An input whose other ends were looked at.
 
     one : the input; row : of the table, of an input that turns the check with q alone with the numbers of that check
-    end : with the lowest zeta of the check that decides; known : its numbers are those of searches to their end
+    end : with the lowest zeta of the check that decides; of_outcome : its row by that check
+    known : the numbers of that row are those of searches to their end
     """
 
     one: FavourableInput
     row: Assumption
     end: Alternative
+    of_outcome: Assumption
     known: bool
 
 
@@ -128,16 +130,20 @@ def look_at(
     of_outcome = _told(one, judged, ends, evaluation) if passes else q_check
     if of_outcome is None:
         return None
-    shown = q_check if q_check and turns == {q_check.name} else of_outcome
-    lowest = _lowest(ends, shown)
-    row = replace(
-        _row(one, shown, ends, lowest, _outcome(ends[lowest], evaluation, touched)),
-        turns=bool(decides.passed) and touched and decides.name in turns,
-        turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
-        check="" if shown.name == decides.name else shown.name,
-    )
-    known = shown.name != decides.name or _is_known(one, ends, lowest)
-    return LookedAt(one, row, one.ends[_lowest(ends, of_outcome)], known)
+
+    def describe(shown: Check) -> Assumption:
+        lowest = _lowest(ends, shown)
+        return replace(
+            _row(one, shown, ends, lowest, _outcome(ends[lowest], evaluation, touched)),
+            turns=bool(decides.passed) and touched and decides.name in turns,
+            turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
+            check="" if shown.name == decides.name else shown.name,
+        )
+
+    row, lowest = describe(of_outcome), _lowest(ends, of_outcome)
+    shown = describe(q_check) if q_check and row.turns_q and not row.turns else row
+    known = of_outcome.name != decides.name or _is_known(one, ends, lowest)
+    return LookedAt(one, shown, one.ends[lowest], row, known)
 
 
 def _is_known(favourable: FavourableInput, ends: AlternativeEvaluations, lowest: int) -> bool:

@@ -6,7 +6,7 @@ import pytest
 from core.errors import InputError, RecordError
 from core.ground.records import read
 from core.ground.records.grammar import Options
-from core.setting.demand_input import _rows
+from core.setting.demand_input import _read_spectrum
 
 TIMES = np.arange(600) * 0.02
 VALUES = np.round(np.sin(7.0 * TIMES) * np.exp(-(((TIMES - 5.0) / 2.0) ** 2)) * 0.27, 4)
@@ -95,11 +95,11 @@ def test_that_a_spectrum_of_another_kind_is_refused(head, tmp_path):
     path = tmp_path / "s.txt"
     path.write_text(f"{head}\n0.1 0.5\n0.5 0.6\n1.0 0.2\n", encoding="utf-8")
     with pytest.raises(InputError):
-        _rows(path)
+        _read_spectrum(path)[1]
 
 
 @pytest.mark.parametrize("head", ["T Se(T)", "T [s] Se/g", "T (s) Sa (g)"])
 def test_that_a_spectrum_of_its_own_kind_is_read(head, tmp_path):
     path = tmp_path / "s.txt"
     path.write_text(f"{head}\n0.1 0.5\n0.5 0.6\n1.0 0.2\n", encoding="utf-8")
-    assert len(_rows(path)) == 3
+    assert len(_read_spectrum(path)[1]) == 3

@@ -154,7 +154,7 @@ def test_that_another_spectrum_than_that_of_ntc_is_shown_with_it_where_the_hazar
 @pytest.mark.shows("lifts.site")
 def test_that_a_spectrum_of_a_file_is_shown_with_that_of_rock(tmp_path):
     file = tmp_path / "soft.txt"
-    file.write_text("0 0.1\n0.1 0.15\n0.2 0.15\n0.5 0.05\n4 0.01\n")
+    file.write_text("0 0.1\n0.1 0.23\n0.2 0.23\n0.5 0.05\n4 0.01\n")
     rows, scene = rows_of(
         {"ag_g": 0.1, "return_period_years": 475.0, "hazard": HAZARD, "spectrum_file": str(file), "soil_factor": 1.0}
     )

@@ -140,7 +140,9 @@ def check_states(table):
         for wall, other in zip(result.walls, of_state.walls, strict=True):
             (found,) = [one for one in wall.assessment.states if one.state == state]
             verdict = other.assessment.verdict
-            assert found.code == verdict.code
+            # where the wall fails about another hinge at that state its run looks no further at this one
+            elsewhere = "fails_elsewhere" in {limit.code for limit in verdict.limits}
+            assert found.code == verdict.code or (elsewhere and OUTCOMES[found.code].judgement == PASSES)
             assert same(found.zeta, verdict.zeta_e)
             count += 1
     return count
