@@ -250,6 +250,12 @@ class StudyResult:
     first: int = 0
 
     @property
+    def motions_at_demand(self) -> bool:
+        """Whether the records are at the demand: scaled to its a_g S, or compatible with its spectrum."""
+        scaled = self.demand is not None and self.demand.record_scaling == "pga"
+        return scaled or (self.compliance is not None and self.compliance.compatible)
+
+    @property
     def demand_required(self) -> SeismicDemand:
         """Demand the walls have to withstand, in a study with one."""
         assert self.demand is not None

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -43,6 +44,16 @@ def test_that_whichever_hinge_is_shown_the_share_and_the_outcome_are_those_of_th
             decides = result.walls[verdict.governing]
             assert side.share == verdict.zeta_least / decides.assessment.verdict.zeta_target
             assert side.wall is decides
+
+
+@pytest.mark.shows("window.client")
+def test_that_of_records_that_are_not_at_the_demand_no_share_of_it_is_told(result):
+    """119 % was told whatever a_g was."""
+    apart = replace(result, compliance=replace(result.compliance, compatible=False))
+    for side in sides_of(apart, apart.walls[0]):
+        decides = side.wall.assessment.verdict.governing
+        assert (side.share is None) == (decides == "dynamic")
+    assert all(side.share is not None for side in sides_of(result, result.walls[0]))
 
 
 def test_that_a_film_is_made_while_the_window_lives_and_can_be_cancelled(result, application, tmp_path, monkeypatch):
