@@ -73,7 +73,8 @@ def test_that_a_chart_is_of_the_version_its_page_names(name):
     assert [found[1] for found in said if found] == [version_of(name)]
 
 
-def test_that_the_page_of_a_wall_is_its_own_and_not_that_of_the_contents():
-    contents = [(4, 80.0, "gable – two-sided ......... 5"), (4, 90.0, "parapet – two-sided ......... 8")]
-    headings = [(page, 50.0, f"{name} – two-sided") for page, name in ((5, "gable"), (8, "parapet"))]
-    assert [first_page_of(name, contents + headings) for name in ("gable", "parapet")] == [5, 8]
+def test_that_the_page_of_a_wall_is_that_of_its_heading():
+    """A brief note has no contents."""
+    first = [(1, 80.0, "gable, 2.40 × 0.30"), (1, 90.0, "parapet, 1.20 × 0.25")]
+    headings = [(page, 50.0, f"{name} – not verified, ζ 0.16") for page, name in ((2, "gable"), (4, "parapet"))]
+    assert [first_page_of(name, first + headings) for name in ("gable", "parapet")] == [2, 4]

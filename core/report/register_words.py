@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from core.case.register import NOT_POSSIBLE
+from core.known import require_value
 from core.report.verdict_words import names_in
 from core.study.register import Looked, make_register
 from core.study.results import StudyResult, WallVerdict
@@ -21,6 +22,32 @@ def describe_rows(result: StudyResult, verdict: WallVerdict, say: Callable[..., 
     """A row for each mechanism of a wall that is looked at, set aside or left out."""
     rows = (looked for looked in make_register(result, verdict) if looked.row.status != NOT_POSSIBLE)
     return [_cells(looked, say, language) for looked in rows]
+
+
+def describe_briefly(
+    result: StudyResult, verdict: WallVerdict, say: Callable[..., str], language: str
+) -> list[list[str]]:
+    """The rows of `describe_rows`, the hinges that do not decide in one for each mechanism, direction and outcome."""
+    rows: list[list[str]] = []
+    of_hinges: dict[tuple[str, str, str], list[Looked]] = {}
+    for looked in make_register(result, verdict):
+        row = looked.row
+        if row.status == NOT_POSSIBLE:
+            continue
+        decides = looked.result is result.walls[verdict.governing]
+        if decides or row.hinge is None or looked.result is None:
+            rows.append(_cells(looked, say, language))
+            continue
+        cells = _cells(looked, say, language)
+        of_hinges.setdefault((cells[0], cells[2], cells[4]), []).append(looked)
+    for (name, direction, outcome), group in of_hinges.items():
+        zetas = [require_value(looked.result).required_assessment.verdict.zeta_e for looked in group]
+        heights = ", ".join(f"+{format_number(looked.row.hinge, '.4g', language)}" for looked in group)
+        known = sorted(zeta for zeta in zetas if zeta is not None)
+        least, most = (format_number(known[k] if known else None, ".2f", language) for k in (0, -1))
+        shown = least if least == most else f"{least}–{most}"
+        rows.append([name, say("hinges at {heights} m", heights=heights), direction, shown, outcome])
+    return rows
 
 
 def not_possible(result: StudyResult, verdict: WallVerdict, language: str) -> str:

@@ -83,11 +83,11 @@ def show(application, window, name: str, page: str) -> None:
 
 
 def first_page_of(name: str, lines: list[tuple[int, float, str]]) -> int:
-    """Page, from 1, whose heading is the wall of this name; the line of the contents, above it, ends with its number.
+    """Page, from 1, whose heading is the wall of this name.
 
-    lines : (page, y [pt], text) of a note, in order
+    lines : (page, y [pt], text) of a brief note, in order
     """
-    return next(page for page, _, text in lines if text.startswith(f"{name} – ") and not text.rstrip()[-1].isdigit())
+    return next(page for page, _, text in lines if text.startswith(f"{name} – "))
 
 
 def image_of_note(result, name: str):

@@ -38,6 +38,9 @@ MAX_WALLS = 24
 MAX_COLUMNS = 12
 """Walls beside one another in the table of what their outcomes rest on."""
 
+FIGURES = 3
+"""Figures of a wall, in one row."""
+
 MAX_LINES = 6
 """Limits of an outcome on the page of a wall."""
 
@@ -209,13 +212,13 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, words: Words) -> list
     shared = _shared_limits(result, sort_by_severity(result.verdicts, result.walls), words)
     own = [line for line in _limits(wall, words) if line not in shared]
     parts += [Item(line, "quiet") for line in (*own[:MAX_LINES], *certainty_line(result, wall, words))]
-    parts += [check_bars(result, wall, words), *register_parts(result, wall, words)]
+    parts += [check_bars(result, wall, words), *register_parts(result, wall, words, brief=True)]
     parts += _turning_rows(result, verdict, words)
-    parts += [*site.solids(wall, words), *site.loads(wall, words)]
+    parts += [*site.solids(wall, words, grouped=True), *site.loads(wall, words)]
     drawn = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]
     drawn += [wall_figures.capacity(result, wall, words) if found.governing == "nonlinear" else None]
-    drawn += [wall_figures.histories(result, wall, words), wall_figures.peaks(wall, words)]
-    parts += side_by_side(drawn)
+    drawn += [wall_figures.peaks(wall, words, named=False), wall_figures.histories(result, wall, words)]
+    parts += side_by_side([figure for figure in drawn if figure is not None][:FIGURES])
     for title, steps in Derivations(result, words, cell_prefix(result, wall)).deciding(wall):
         if steps:
             parts += [Heading(say(title), 3), *in_runs(steps)]

@@ -350,12 +350,13 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     return [*parts, *(Item(line, "quiet") for line in rest)]
 
 
-def register_parts(result: StudyResult, wall: WallResult, words: Words) -> list[Part]:
-    """The register of a wall, where this result decides about it."""
+def register_parts(result: StudyResult, wall: WallResult, words: Words, brief: bool = False) -> list[Part]:
+    """The register of a wall, where this result decides about it. brief : the hinges that do not decide in one row"""
     verdict = verdict_of(result, wall)
     if verdict is None:
         return []
-    rows = register_words.describe_rows(result, verdict, words.say, words.language)
+    describe = register_words.describe_briefly if brief else register_words.describe_rows
+    rows = describe(result, verdict, words.say, words.language)
     table = Table(register_words.column_heads(words.say), rows, register_words.COLUMN_SHARES)
     return [table, Paragraph(register_words.not_possible(result, verdict, words.language), "quiet")]
 

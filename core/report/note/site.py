@@ -143,8 +143,8 @@ def _size(load: Load, asked: Wall, words: Words) -> str:
     return f"{g} + {share} · {q} = {size}"
 
 
-def solids(wall: WallResult, words: Words) -> list[Part]:
-    """The solids of a wall that is no rectangle, from the outer face of its base."""
+def solids(wall: WallResult, words: Words, grouped: bool = False) -> list[Part]:
+    """The solids of a wall that is no rectangle, from the outer face of its base. grouped : alike ones in one row"""
     parts = wall.wall.parts
     if not parts:
         return []
@@ -157,6 +157,11 @@ def solids(wall: WallResult, words: Words) -> list[Part]:
         plane = words.word(f"choice_{part.plane}")
         cells = [number(mass, ".1f"), number(x, ".4f"), number(z, ".4f"), number(part.body.inertia, ".1f")]
         rows.append([f"{k} {kind}, {plane}", *cells])
+    if grouped:
+        alike: dict[tuple[str, ...], list[str]] = {}
+        for name, *cells in rows:
+            alike.setdefault((name.partition(" ")[2], *cells), []).append(name.partition(" ")[0])
+        rows = [[f"{', '.join(numbers)} {kind}", *cells] for (kind, *cells), numbers in alike.items()]
     return [Table(heads, rows, (2.4, 1, 1, 1, 1.2))]
 
 

@@ -242,9 +242,9 @@ def forces_of_ties(result: StudyResult, wall: WallResult, words: Words) -> Figur
     return Figure(caption, curves, "t [s]", "F [kN/m]", (0.0, last), (-0.1 * high, high))
 
 
-def peaks(wall: WallResult, words: Words) -> Figure | None:
+def peaks(wall: WallResult, words: Words, named: bool = True) -> Figure | None:
     """Largest rotation of each record at the demand, what overturns and the largest first; None without a dynamic
-    check."""
+    check. named : with the names of the records"""
     check = wall.required_assessment.dynamic
     if check is None:
         return None
@@ -274,4 +274,4 @@ def peaks(wall: WallResult, words: Words) -> Figure | None:
     name = f"{check.limit_state}: {words.number(limit, '.2f')}"
     curves.append(Curve(name, ends, (limit, limit), "amber", "dash"))
     caption = words.say("Largest rotation of each record at the demand over θc")
-    return Figure(caption, curves, " ", "θmax/θc", ends, (0.0, FULL_BAR), names=names)
+    return Figure(caption, curves, " ", "θmax/θc", ends, (0.0, FULL_BAR), names=names if named else ())

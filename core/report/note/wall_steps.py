@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from core.derivation import site
 from core.derivation import wall as of_wall
+from core.derivation.checks import tr_c_longer
 from core.derivation.geometry import geometry
 from core.derivation.line import FULL, Columns, Line, Section
 from core.report.derivation_text import DerivationText
@@ -80,7 +81,9 @@ class Derivations:
         chain = governing != "dynamic" or wall.wall.bends
         sections = [(geometry(wall), True), (of_wall.chain(wall), chain)]
         sections += [(section, name in deciding) for name, section in checks.items()]
-        return self._titled(_with_needed([*sections, (of_wall.risk(self.result, wall), True)]))
+        withstands = of_wall.risk(self.result, wall)
+        lines = [line for line in withstands.lines if isinstance(line, Columns) or line.of is not tr_c_longer]
+        return self._titled(_with_needed([*sections, (replace(withstands, lines=lines), True)]))
 
     def _titled(self, sections: list[Section]) -> list[tuple[str, list[Step]]]:
         return [(section.title, self.steps(section)) for section in sections]
