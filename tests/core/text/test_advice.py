@@ -136,6 +136,7 @@ CONDITION = {
     "no_check": "for an element free to vibrate",
     "restitution_one_sided": "is for",
     "hold_inward": "is compared of a floor",
+    "hold_yields": "is what a hold at a height is stretched by",
     "measure_tie": "makes it pass",
     "no_measure": "makes it pass",
     "no_tie_there": "makes it pass",
