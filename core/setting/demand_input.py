@@ -66,7 +66,8 @@ def read_target_spectrum(asked: Demand, base_dir: Path) -> Target | None:
 
 
 def _read_spectrum(path: Path) -> tuple[list[str], list[tuple[float, float]]]:
-    """The lines of words above the numbers of a file, and its (period [s], S_e [m/s2]): two columns, s and g."""
+    """The lines of words above the numbers of a file, and its (period [s], S_e [m/s2]): two columns, s and g, between
+    them blanks, a semicolon, or a comma where numbers have points."""
     try:
         if not path.is_file():
             raise InputError("no_spectrum_file", place=(path,))
@@ -78,7 +79,7 @@ def _read_spectrum(path: Path) -> tuple[list[str], list[tuple[float, float]]]:
     head: list[str] = []
     rows: list[tuple[float, float]] = []
     for k, line in enumerate(lines, start=1):
-        parts = line.replace(";", " ").split()
+        parts = (line.replace(",", " ") if "." in line else line).replace(";", " ").split()
         try:
             period, ordinate = (parse_number(part) for part in parts)
         except (InputError, ValueError):

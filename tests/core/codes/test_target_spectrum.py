@@ -240,6 +240,16 @@ def test_that_a_file_is_the_elastic_spectrum_of_its_demand_or_refused(seeds):
             assert refused.value.code in ("spectrum_start", "spectrum_begins", "spectrum_largest", "spectrum_floor")
 
 
+@pytest.mark.parametrize("between", [" ", "\t", ";", "; ", ",", ", "])
+def test_that_columns_of_a_spectrum_are_parted_as_people_part_them(tmp_path, between):
+    rows = [(0.0, 0.2), (0.1, 0.5), (0.5, 0.5), (2.0, 0.1), (4.0, 0.03)]
+    asked = Demand(0.2, spectrum_file="s.txt")
+    for comma in (False, True) if "," not in between else (False,):
+        text = "\n".join(f"{t:.2f}{between}{s:.3f}" for t, s in rows)
+        (tmp_path / "s.txt").write_text(text.replace(".", ",") if comma else text)
+        assert read_target_spectrum(asked, tmp_path).values == pytest.approx([s * G for _, s in rows])
+
+
 HEADS = [
     ("Spettro di progetto SLV, fattore q = 2.0", True),
     ("T [s] Sd [g]", True),
