@@ -18,6 +18,7 @@ from core.case.drawing_outlines import (
     drop_duplicates,
     expand_bulges,
     gaps_of,
+    is_longer,
     join_lines,
     refuse_many,
     simple,
@@ -62,10 +63,13 @@ USUAL_SIZE, MAX_SIZE_FACTOR = 8.0, 10.0
 BINARY = b"AutoCAD Binary DXF"
 
 
+SPECK = "speck"
+"""Kind of a stroke shorter than the tolerance that closes gaps, which is no outline."""
+
 ANNOTATIONS = {
     *("TEXT", "MTEXT", "ATTRIB", "ATTDEF", "DIMENSION", "ARC_DIMENSION", "LARGE_RADIAL_DIMENSION", "LEADER"),
     *("MULTILEADER", "MLEADER", "TOLERANCE", "POINT", "VIEWPORT", "ACAD_TABLE", "RAY", "XLINE", "IMAGE", "OLE2FRAME"),
-    *("SUN", "LIGHT", "GEODATA", "invisible", "hidden layer", "small CIRCLE"),
+    *("SUN", "LIGHT", "GEODATA", "invisible", "hidden layer", "small CIRCLE", SPECK),
 }
 """Entities that are no part of a body."""
 
@@ -269,7 +273,10 @@ class DxfFile:
                 if len(corners) > 2 and known not in seen:  # a hatch and its border are one
                     seen.add(known)
                     shapes.append(Shape(layer, corners))
-            gaps += gaps_of(layer, loose)
+            outlines = [line for line in loose if is_longer(line, tolerance)]
+            if len(outlines) < len(loose):
+                unread[layer, SPECK] += len(loose) - len(outlines)
+            gaps += gaps_of(layer, outlines)
         drawn = tuple((layer, tuple(line)) for layer, lines in pieces.items() for line in lines)
         return shapes, gaps, unread, drawn
 

@@ -120,6 +120,12 @@ def join_lines(pieces: Sequence[list[Point]], join: float) -> tuple[list[list[Po
     return closed, loose
 
 
+def is_longer(line: Sequence[Point], least: float) -> bool:
+    """Whether a line spans more than this."""
+    spans = (max(point[k] for point in line) - min(point[k] for point in line) for k in (0, 1))
+    return math.hypot(*spans) > least
+
+
 def gaps_of(layer: str, loose: list[list[Point]]) -> list[Gap]:
     """Gaps at which the lines of a layer do not close."""
     ends = [(k, line[end]) for k, line in enumerate(loose) for end in (0, -1)]

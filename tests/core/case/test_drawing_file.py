@@ -373,6 +373,19 @@ def test_that_a_rectangle_of_lines_drawn_over_is_one_shape_without_a_gap(tmp_pat
     assert [shape.extent for shape in found.shapes] == [(0.0, 0.0, 6.0, 5.0)] and not found.gaps
 
 
+@pytest.mark.parametrize(("length", "specks", "gaps"), [(0.0003, 1, 0), (0.0009, 1, 0), (0.002, 0, 1)])
+def test_that_a_stroke_shorter_than_the_tolerance_is_left_out_and_counted(tmp_path, length, specks, gaps):
+    """One of 0.3 mm refused a whole facade: "open by 0 mm"."""
+
+    def draw(space):
+        space.add_lwpolyline([(0, 0), (6, 0), (6, 5), (0, 5)], close=True)
+        space.add_line((8.0, 1.0), (8.0 + length, 1.0))
+
+    found = DxfFile(sheet(tmp_path / "d.dxf", draw)).sheet()
+    assert len(found.shapes) == 1 and len(found.gaps) == gaps
+    assert [(one.kind, one.n) for one in found.unread] == [("speck", 1)] * specks
+
+
 def test_that_a_hatch_without_an_outline_is_a_shape(tmp_path):
     def draw(space):
         hatch = space.add_hatch(dxfattribs={"layer": "A"})
