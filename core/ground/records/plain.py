@@ -27,6 +27,9 @@ MAX_LINE_LETTERS = 20_000
 MAX_HEAD = 200
 """Lines of text above the first sample."""
 
+SEPARATORS = ",; \t"
+"""What stands between cells: a line of these alone holds no sample."""
+
 FIRST_ROWS = 8
 """Rows read one by one before the rest is tried at once."""
 
@@ -155,7 +158,7 @@ def _told_apart(lines: list[str], skip: int) -> _Content:
         if len(head) > MAX_HEAD:
             raise RecordError("head_too_long", n=MAX_HEAD)
         text = line.strip()
-        if not text:
+        if not text.strip(SEPARATORS):  # empty cells, which a spreadsheet leaves after the last sample
             blank = blank or (k if _are_samples(rows) else 0)
             continue
         if blank:

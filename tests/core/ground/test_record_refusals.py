@@ -364,6 +364,17 @@ def test_that_no_more_head_comes_below_the_first_sample(write, rows, code):
     assert f"line {2 + above.count(chr(10))}:" in str(refused.value)
 
 
+@pytest.mark.parametrize("empty", [",", ",,", ";", "\t", " , "])
+def test_that_rows_of_empty_cells_after_the_last_sample_are_none_and_among_samples_a_gap(write, empty):
+    """A spreadsheet leaves twenty of them."""
+    rows = [f"{0.01 * k:.2f},{a:.5f}" for k, a in enumerate(MOTION)]
+    found = records.read(write("\n".join([*rows, *[empty] * 20]) + "\n"), Options("m/s2", column=2))
+    assert np.allclose(found.acceleration, MOTION, atol=5e-6)
+    with pytest.raises(RecordError) as refused:
+        records.read(write("\n".join([*rows[:40], empty, *rows[40:]]) + "\n"), Options("m/s2", column=2))
+    assert refused.value.code in ("gap", "blank_among_samples", "not_numbers")
+
+
 def test_that_an_empty_field_among_blanks_moves_no_column(write):
     rows = "".join(f"{0.01 * k:.2f} {a:.5f},,{a / 2:.5f}\n" for k, a in enumerate(MOTION))
     with pytest.raises(RecordError) as refused:
