@@ -406,3 +406,24 @@ def test_that_the_sentence_counts_what_the_check_counts(peaks, words):
     check = DynamicCheck("SLV", runs, sum(run.exceeded for run in runs), mean, None, "mean", 0.4, 0.9, False, False)
     demand = read_demand(case(wall={"height_m": 3.0, "thickness_m": 0.3}), None)
     assert words in check_sentence(check.as_check(1.0), check, demand).text("en")
+
+
+@pytest.mark.shows("dynamic.at_rest")
+def test_that_a_run_that_is_not_integrated_is_one_that_does_not_move():
+    """Each record and sign, from half of where it moves the wall on: the same outcomes and peaks as with all of them
+    integrated, nothing left out that moves and nothing integrated far below."""
+    left_out = 0
+    for k in range(0, 24):
+        model, motions, signs, demand = wall_of(k)
+        work, every = (
+            DemandRuns(model, motions, signs, demand, demand.confidence_on, AUTO, lambda: False) for _ in range(2)
+        )
+        every.at_rest = np.zeros((len(motions), len(signs)))
+        multipliers = work.rest * np.geomspace(0.5, 4.0, 40)
+        batch = list(range(len(motions)))
+        (codes, peaks), (all_codes, all_peaks) = work.analyse(batch, multipliers), every.analyse(batch, multipliers)
+        assert np.array_equal(codes, all_codes) and np.array_equal(peaks, all_peaks)
+        still = multipliers <= work.at_rest[..., None]
+        left_out += int(still.sum())
+        assert not all_peaks[still].any()
+    assert left_out > 100
