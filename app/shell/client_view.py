@@ -133,7 +133,7 @@ class Bars(QWidget):
 def words_of(side: Side) -> str:
     """What a side withstands, in words."""
     if side.share is None:
-        return tr("not known")
+        return f"{tr('not known')} ({outcome_of(side)})"
     share = tr("{percent} % of the required earthquake", percent=f"{100.0 * side.share:.0f}")
     return f"{share} ({outcome_of(side)})"  # a share alone is no verification
 

@@ -150,7 +150,10 @@ def test_that_a_variant_is_one_click_and_the_client_sees_before_and_after(opened
     assert record.include
     run(application, opened)
     opened.navigator.pick(0)
-    sides = client_view.sides_of(opened.session.result, opened.navigator.wall)
+    found = opened.session.result  # of records as they are given, which are no share of the demand
+    assert [side.share for side in client_view.sides_of(found, opened.navigator.wall)] == [None, None]
+    at_demand = replace(found, demand=replace(found.demand, record_scaling="pga"))
+    sides = client_view.sides_of(at_demand, opened.navigator.wall)
     verdicts = [wall.assessment.verdict for wall in opened.session.result.walls]
     assert [side.share for side in sides] == [verdict.zeta_e / verdict.zeta_target for verdict in verdicts]
     view = client_view.ClientView(opened, "title", sides)
