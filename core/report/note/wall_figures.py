@@ -214,9 +214,9 @@ def histories(result: StudyResult, wall: WallResult, words: Words) -> Figure | N
         curves.append(Curve(name, (0.0, last), (level, level), color, "dash", 0.9))
         if both_ways:
             curves.append(Curve("", (0.0, last), (-level, -level), color, "dash", 0.9))
-    caption = words.say("Displacement of the control point at the demand: the largest peak")
+    caption = words.say("Control point at the demand: largest peak")
     if len(deciding) > 1:
-        caption += words.say(", and the record nearest to the mean of the peaks")
+        caption += words.say(", and nearest to the mean")
     return Figure(caption, curves, "t [s]", "d [cm]", (0.0, last), (-1.3 * d0 if both_ways else -0.2 * d0, 1.3 * d0))
 
 
