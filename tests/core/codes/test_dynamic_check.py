@@ -413,7 +413,7 @@ def test_that_a_run_that_is_not_integrated_is_one_that_does_not_move():
     """Each record and sign, from half of where it moves the wall on: the same outcomes and peaks as with all of them
     integrated, nothing left out that moves and nothing integrated far below."""
     left_out = 0
-    for k in range(0, 24):
+    for k in range(24):
         model, motions, signs, demand = wall_of(k)
         work, every = (
             DemandRuns(model, motions, signs, demand, demand.confidence_on, AUTO, lambda: False) for _ in range(2)
