@@ -65,6 +65,7 @@ SHOWN_BY = {
     "api": "tests/test_notebooks.py",
     "report/note/plan_figure": "tests/core/report/test_key_plan.py",
     "report/note/brief": "tests/core/report/test_pdf.py",
+    "report/note/record_parts": "tests/core/report/test_selection_rows.py",
     "codes/evidence": "tests/core/codes/test_verdict.py",
     "case/hold_rules": "tests/core/case/test_hold.py",
     "case/asked": "tests/core/variation/test_second_level.py",

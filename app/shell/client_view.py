@@ -71,10 +71,11 @@ def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
         # a mechanism that takes each record with one sign alone has the other one by it
         same = [r for r in dynamic.runs if r.motion == run.motion]
         motion, moved = history_at_demand(result, one, next((r for r in same if r.polarity == run.polarity), same[0]))
-        assessed, least = require_value(one.assessment).verdict, of_wall.zeta_least
+        assessed = [require_value(result.walls[k].assessment).verdict for k in of_wall.results]
         # zeta of records that are not at the demand is no share of it
-        told = least is not None and (assessed.governing != "dynamic" or result.motions_at_demand)
-        share = require_value(least) / assessed.zeta_target if told else None
+        apart = not result.motions_at_demand and any(verdict.governing == "dynamic" for verdict in assessed)
+        least = None if apart else of_wall.zeta_least
+        share = None if least is None else least / assessed[0].zeta_target
         alone, before = len(verdicts) == 1, of_wall.wall.variant == AS_IS
         title = tr("The wall") if alone else tr("As it is") if before else tr("As designed")
         sides.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))

@@ -17,6 +17,10 @@ from core.text.sentence import Key
 from core.wall.bending import TOP_TOLERANCE
 from core.wall.kinematics import kinematics
 
+LEAST_ELONGATION = 0.001
+"""Least elongation of a hold that yields [m]: what a wall at rest gives way before its thrust line has moved to where
+the least reaction holds it, some tenths of a millimetre, is less."""
+
 OF_ENDS = ("tie_kn_m", "tie_bar_length_m", "tie_elongation_m", "shoulder_length_m", "shoulder_thickness_m")
 OF_ENDS += ("corner_wall", "corner_side")
 """Keys of what the ends of a wall push against, where it spans between two holds."""
@@ -57,11 +61,20 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
         raise InputError("document_reference", place=here, key="reference", kind=hold.evidence.kind)
     if hold.in_kn_m is not None and (hold.out_kn_m is None or not hold.has_height or hold.is_bar):
         raise InputError("hold_inward", place=here, key="in_kn_m", out_kn_m=Key("out_kn_m"))
-    yields = hold.elongation_m is not None and not hold.is_bar
-    if yields and (hold.out_kn_m is None or not hold.has_height):
-        raise InputError("hold_yields", place=here, key="elongation_m", out_kn_m=Key("out_kn_m"))
+    _check_yield(hold, here)
     check_tie(wall, hold, here)
     _check_height(wall, hold, here)
+
+
+def _check_yield(hold: Hold, here) -> None:
+    """Rules of a hold that yields and is no tie."""
+    if hold.elongation_m is None or hold.is_bar:
+        return
+    if hold.out_kn_m is None or not hold.has_height:
+        raise InputError("hold_yields", place=here, key="elongation_m", out_kn_m=Key("out_kn_m"))
+    if hold.elongation_m < LEAST_ELONGATION:
+        values = {"found": hold.elongation_m, "least": LEAST_ELONGATION}
+        raise InputError("hold_yields_less", place=here, key="elongation_m", **values)
 
 
 def _check_height(wall: Wall, hold: Hold, here) -> None:

@@ -15,15 +15,15 @@ from core.report.note.content import (
     closing_parts,
     demand_parts,
     full_note,
+    head_parts,
     in_runs,
-    record_parts,
     register_parts,
     set_aside_lines,
     side_by_side,
     wall_parts,
-    works,
 )
 from core.report.note.parts import Blanks, Heading, Item, Paragraph, Part, Table
+from core.report.note.record_parts import record_parts
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
 from core.report.verdict_words import names_in, sentence_of, tone_of
@@ -50,35 +50,34 @@ def note(result: StudyResult, language: str) -> list[Part]:
     if result.case.report.extent == "full" or not result.verdicts:
         return full_note(result, language)
     words, ordered = Words(language), sort_by_severity(result.verdicts, result.walls)
-    parts, plan = _first_page(result, ordered, words), plan_figure.plan(result, words, ranked=False)
+    shared = _shared_limits(result, ordered, words)
+    parts, plan = _first_page(result, ordered, shared, words), plan_figure.plan(result, words, ranked=False)
     demand = [*demand_parts(result, words, plan), *record_parts(result, words, brief=True)]
     parts += demand if plan else []  # a page of its own before the walls
     for verdict in ordered[:MAX_WALLS]:
-        parts += _wall_pages(result, verdict, words)
+        parts += _wall_pages(result, verdict, shared, words)
+    if len(ordered) > MAX_WALLS:
+        parts.append(
+            Paragraph(words.say("{n} more walls: on the first page alone.", n=len(ordered) - MAX_WALLS), "quiet")
+        )
     parts += [] if plan else demand
     return [*parts, *closing_parts(result, words, new_page=bool(plan))]
 
 
-def _first_page(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> list[Part]:
-    """All walls, what is to be done and what the outcomes rest on, the signature."""
+def _first_page(result: StudyResult, ordered: Sequence[WallVerdict], shared: Sequence[str], words: Words) -> list[Part]:
+    """All walls, what is to be done and what the outcomes rest on, the signature. shared : limits of every wall"""
     say = words.say
     codes = Counter(_governing(result, verdict).required_assessment.verdict.code for verdict in ordered)
     counted = ", ".join(f"{words.word(code).lower()}: {codes[code]}" for code in OUTCOMES if code in codes)
     worst = tone_of(result, _governing(result, ordered[0]))
     parts: list[Part] = [
-        Heading(result.case.title, 1),
-        Paragraph(
-            say("Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)"), "quiet"
-        ),
-        Table((), works(result, words), (1, 4)),
-        Heading(say("Outcome")),
+        *head_parts(result, words),
         Paragraph(say("Walls: {n}; {counted}.", n=len(ordered), counted=counted), worst),
         _walls_table(result, ordered, words),
         *_to_do(result, ordered, words),
         *_rests_on(result, ordered, words),
         *site.compare_variants_table(result, words),
     ]
-    shared = _shared_limits(result, ordered, words)
     parts += [Item(line, "quiet") for line in shared]
     parts += [Item(line, sign="☑") for line in set_aside_lines(result, words)]
     key = words.word("key_extent")
@@ -197,8 +196,8 @@ BESIDE_THE_OUTCOME = (
 """Limits without which the numbers of a wall cannot be followed."""
 
 
-def _wall_pages(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part]:
-    """A wall by the hinge and mechanism that decide about it."""
+def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str], words: Words) -> list[Part]:
+    """A wall by the hinge and mechanism that decide about it. shared : limits that stand on the first page"""
     wall, say = _governing(result, verdict), words.say
     assessment, language = wall.required_assessment, words.language
     if assessment.kinematic is None:
@@ -209,7 +208,6 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, words: Words) -> list
         Heading(f"{verdict.title} – {outcome}", 2, True, verdict.governing),
         Paragraph(sentence_of(wall, language), tone_of(result, wall)),
     ]
-    shared = _shared_limits(result, sort_by_severity(result.verdicts, result.walls), words)
     own = [line for line in _limits(wall, words) if line not in shared]
     parts += [Item(line, "quiet") for line in (*own[:MAX_LINES], *certainty_line(result, wall, words))]
     parts += [check_bars(result, wall, words), *register_parts(result, wall, words, brief=True)]

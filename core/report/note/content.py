@@ -5,12 +5,11 @@ from itertools import groupby
 
 from core.case.document import document_of
 from core.case.site import FULL_FACTOR
-from core.ground.provenance import provenance
 from core.known import require_value
 from core.report import assumption_table, register_words
 from core.report.confirmed import confirmation_codes
 from core.report.derived import cell_prefix
-from core.report.note import plan_figure, site, spectra_figure, wall_figures
+from core.report.note import plan_figure, site, wall_figures
 from core.report.note.certainty import certainty, certainty_line
 from core.report.note.parts import (
     Bars,
@@ -26,14 +25,13 @@ from core.report.note.parts import (
     Step,
     Table,
 )
+from core.report.note.record_parts import record_parts
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
 from core.report.place_lines import place_of
-from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import verdict_of
 from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
-from core.setting.demand_input import find_generation_settings
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.units import G
@@ -83,18 +81,23 @@ def _name(wall: WallResult, words: Words) -> str:
     return f"{wall.name} – {words.word(wall.mechanism)}"
 
 
-def _answer(result: StudyResult, words: Words) -> list[Part]:
-    """The first page: the works, the demand, the outcome of each wall, what decides and what is to be done."""
+def head_parts(result: StudyResult, words: Words) -> list[Part]:
+    """Title, works and demand, and the heading of the outcomes."""
     say = words.say
-    parts: list[Part] = [
+    return [
         Heading(result.case.title, 1),
         Paragraph(
             say("Calculation note: out-of-plane overturning of masonry walls (Circolare 7/2019, C8.7.1.2.1)"), "quiet"
         ),
         Table((), works(result, words), (1, 4)),
         Heading(say("Outcome")),
-        *_verdicts(result, words),
     ]
+
+
+def _answer(result: StudyResult, words: Words) -> list[Part]:
+    """The first page: the works, the demand, the outcome of each wall, what decides and what is to be done."""
+    say = words.say
+    parts = [*head_parts(result, words), *_verdicts(result, words)]
     told = [(wall, one) for wall, one in sort_results(result) if one and wall.assessment]
     for wall, _ in told[:TOLD]:
         tone = tone_of(result, wall)
@@ -221,83 +224,6 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
         rows.append(row)
     numbers = [result.walls.index(wall) for wall, _ in ordered]
     return [Table(heads, rows, (3.1, 1.2, 0.8, 0.8, 0.6, 0.7, 1.6, 2.3), tones, numbers)]
-
-
-def record_parts(result: StudyResult, words: Words, brief: bool = False) -> list[Part]:
-    """Event, station, filter, and the scale each record is used with. brief : without the table of motions that are all
-    generated, and without the figure of the spectra"""
-    if not result.motions:
-        return []
-    say = words.say
-    heads = [
-        say("Record"),
-        say("Event and station"),
-        say("Date"),
-        "M",
-        say("Distance [km]"),
-        say("Filter [Hz], processing"),
-        say("PGA used [g]"),
-        say("Scale used"),
-        say("Kind"),
-    ]
-    rows = []
-    for motion, kind in zip(result.motions, result.kinds, strict=True):
-        where = provenance(motion)
-        at_demand = result.demand_required.scaling(motion) if result.demand else 1.0
-        scale = motion.scale * at_demand
-        station = ", ".join(part for part in (where.event, where.station) if part)
-        cells = [
-            station,
-            where.date.split()[0] if where.date else "",
-            where.magnitude,
-            where.distance_km,
-            where.filter_and_processing,
-        ]
-        rows.append(
-            [
-                motion.name,
-                *(cell or "–" for cell in cells),
-                words.number(at_demand * motion.pga / G, ".3f"),
-                words.number(scale, ".3f"),
-                words.word(kind),
-            ]
-        )
-    widths = (2.2, 2.4, 1.2, 0.6, 1.3, 1.9, 1.0, 1.0, 1.4)
-    unsaid = [k for k in range(len(heads)) if all(row[k] == "–" for row in rows)]
-    told = [k for k in range(len(heads)) if k not in unsaid]
-    table = Table([heads[k] for k in told], [[row[k] for k in told] for row in rows], [widths[k] for k in told])
-    all_made = brief and all(motion.format == "generated" for motion in result.motions)
-    parts: list[Part] = [Heading(say("Records")), *([] if all_made else [table])]
-    if unsaid and "natural" in result.kinds:
-        parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
-    if result.selection:
-        parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
-    parts += _generated(result, words)
-    rules = result.compliance
-    if rules is not None:
-        line = (
-            say("The set is compatible with the spectrum (workbook, sheet Spectral compatibility).")
-            if rules.compatible
-            else say("The set is not compatible with the spectrum (workbook, sheet Spectral compatibility).")
-        )
-        parts.append(Paragraph(line))
-    return parts if brief else parts + side_by_side([spectra_figure.spectra(result, words)])
-
-
-def _generated(result: StudyResult, words: Words) -> list[Part]:
-    """How motions were generated."""
-    settings = find_generation_settings(result.motions)
-    if settings is None:
-        return []
-    seeds = {"n": settings.count, "first": settings.seed, "last": settings.seed + settings.count - 1}
-    sentence = words.say(
-        "{n} motions generated, seeds {first} to {last}: noise whose spectrum is brought to that of the demand "
-        "times exp({scatter} ε(T)), ε correlated over the periods (Baker and Jayaram 2008), the set with one "
-        "factor so that its mean fits (NTC 2018 3.2.3.6).",
-        scatter=words.number(settings.scatter, ".2f"),
-        **seeds,
-    )
-    return [Paragraph(sentence)]
 
 
 def in_runs(steps: list[Step]) -> list[Derivation]:

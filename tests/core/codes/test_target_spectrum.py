@@ -258,6 +258,10 @@ HEADS = [
     ("Behaviour factor 1.5", True),
     ("Spettri di risposta elastici SLV", False),
     ("Spettro di progetto, q = 1.0", False),  # that is the elastic one
+    ("SPETTRO DI PROGETTO SLV", True),
+    ("Spettro Di Progetto", True),
+    ("Q = 2", True),
+    ("Design spectrum, Q1 2024", True),  # a quarter of a year is no factor
     ("T [s] Se [g]", False),
     ("design ground acceleration 0.25 g", False),
 ]

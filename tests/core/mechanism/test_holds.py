@@ -72,10 +72,19 @@ def test_that_a_hold_that_yields_is_asked_for_the_least_and_is_never_worse():
             assert yielding[key].push >= limit.push * (1.0 - 1e-9), key
 
 
-@pytest.mark.parametrize("hold", [{"kind": "floor", "h_m": 3.0}, {"kind": "cross_walls", "spacing_m": 5.0}])
-def test_that_an_elongation_without_a_strength_at_a_height_is_refused(hold):
+@pytest.mark.parametrize(
+    "hold",
+    [
+        {"kind": "floor", "h_m": 3.0},
+        {"kind": "cross_walls", "spacing_m": 5.0},
+        {"kind": "floor", "h_m": 3.0, "out_kn_m": 5.0, "elongation_m": 0.0},
+        {"kind": "floor", "h_m": 3.0, "out_kn_m": 5.0, "elongation_m": 1e-6},
+    ],
+)
+def test_that_an_elongation_without_a_strength_at_a_height_or_of_nothing_is_refused(hold):
+    """A hurried one of nothing would take a brittle hold for one that yields."""
     with pytest.raises(InputError) as refused:
-        parse_case({"wall": [HELD | {"hold": [hold | {"elongation_m": 0.01}]}]})
+        parse_case({"wall": [HELD | {"hold": [{"elongation_m": 0.01} | hold]}]})
     assert refused.value.key == "elongation_m"
 
 

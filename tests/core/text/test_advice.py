@@ -137,6 +137,7 @@ CONDITION = {
     "restitution_one_sided": "is for",
     "hold_inward": "is compared of a floor",
     "hold_yields": "is what a hold at a height is stretched by",
+    "hold_yields_less": "that of a brittle hold",
     "measure_tie": "makes it pass",
     "no_measure": "makes it pass",
     "no_tie_there": "makes it pass",
