@@ -115,7 +115,7 @@ def _walls_table(result: StudyResult, ordered: Sequence[WallVerdict], words: Wor
         rows.append([*row, words.word(found.code)])
         tones[n, 2] = tones[n, len(row)] = tone_of(result, wall)
     numbers = [verdict.governing for verdict in ordered]
-    widths = (3.0, 3.4, 0.7, 0.7, 1.7, *[0.7] * len(states), 2.0)
+    widths = (3.0, 3.3, 0.7, 0.9, 1.6, *[0.7] * len(states), 2.0)
     return Table(heads, rows, widths, tones, numbers)
 
 
