@@ -19,7 +19,7 @@ from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import SeismicDemand
 from core.codes.limits import SAME_PERIOD, USUAL_LIVES, return_period
-from core.codes.national_hazard import hazard_at
+from core.codes.national_hazard import RETURN_PERIODS, SiteHazard, hazard_at
 from core.codes.record_compatibility import PERIOD_RANGE
 from core.codes.spectrum_codes import CODES, NATIONAL
 from core.codes.target_spectrum import Target
@@ -212,22 +212,41 @@ are typed with few digits, and other programs take other ellipsoids."""
 
 
 def check_coordinates(asked: Demand) -> None:
-    """Raise InputError where the demand is below that of the national grid at its coordinates: a_g at its return
-    period, without one at the shortest of its limit state; F_0 and T_C* of a spectrum of NTC 2018 at its return
-    period. Of a place that is not of the grid, or text that is no coordinates, nothing is compared."""
+    """Raise InputError where the demand is below that of the national grid at its coordinates, where these are no
+    coordinates, and where they are of the grid in the other order. a_g is compared at the return period, without one
+    at the shortest of the limit state, and there F_0 and T_C* of NTC 2018 with the least from it on. Of a place
+    outside the grid nothing is compared."""
+    if not asked.coordinates.strip():
+        return
     try:
-        here = hazard_at(*parse_coordinates(asked.coordinates))
-    except InputError:
+        latitude, longitude = parse_coordinates(asked.coordinates)
+    except InputError as error:
+        raise error.at(section("[demand]")) from None
+    here = _find_hazard(latitude, longitude)
+    if here is None:
+        if _find_hazard(longitude, latitude):
+            values = {"given": asked.coordinates.strip()[:60]}
+            raise InputError("coordinates_swapped", key="coordinates", place=(section("[demand]"),), **values)
         return
     spectrum, years = asked.spectrum, asked.return_period or return_period(USUAL_LIVES[0], asked.limit_state)
     stated = here.at(years)
     pairs: list[tuple[str, float | None, float]] = [("ag_g", asked.ag_g, stated.ag_g)]
-    if spectrum is not None and spectrum.code == NATIONAL and asked.return_period is not None:
-        pairs += [("f0", spectrum.f0, stated.f0), ("tc_star_s", spectrum.tc_star_s, stated.tc_star_s)]
-    for key, typed, least in pairs:
-        if typed is not None and typed < (1.0 - AT_COORDINATES) * least:
-            values = {"given": typed, "stated": least, "years": years, "state": asked.limit_state}
+    if spectrum is not None and spectrum.code == NATIONAL:
+        longer = [] if asked.return_period else [here.at(each) for each in RETURN_PERIODS if each > years]
+        least = [min(values) for values in zip(stated, *longer, strict=True)]
+        pairs += [("f0", spectrum.f0, least[1]), ("tc_star_s", spectrum.tc_star_s, least[2])]
+    for key, typed, least_value in pairs:
+        if typed is not None and typed < (1.0 - AT_COORDINATES) * least_value:
+            values = {"given": typed, "stated": least_value, "years": years, "state": asked.limit_state}
             raise InputError("elsewhere", key=key, place=(section("[demand]"),), section=Key("[site]"), **values)
+
+
+def _find_hazard(latitude: float, longitude: float) -> SiteHazard | None:
+    """The hazard of a point [degrees] by the national grid, None outside it."""
+    try:
+        return hazard_at(latitude, longitude)
+    except InputError:
+        return None
 
 
 def hazard_covers(hazard: tuple[HazardRow, ...], years: float) -> bool:

@@ -289,10 +289,39 @@ def test_that_a_demand_below_that_of_its_coordinates_is_refused():
         with pytest.raises(InputError) as refused:
             read_demand(*demand_case(here, key, value))
         assert refused.value.code == "elsewhere" and refused.value.key == key
-    for key, value in (("ag_g", 0.26), ("ag_g", 0.30), ("coordinates", "52.5, 13.4"), ("coordinates", "a corner")):
+    for key, value in (("ag_g", 0.26), ("ag_g", 0.30), ("coordinates", "52.5, 13.4")):
         assert read_demand(*demand_case(here, key, value)) is not None
-    with pytest.raises(InputError, match="332 years"):  # without a return period the shortest one
-        read_demand(*demand_case(here | {"return_period_years": None}, "ag_g", 0.2))
+    undated = here | {"return_period_years": None}  # at the shortest, F_0 and T_C* the least from it on
+    for key, value in (("ag_g", 0.2), ("tc_star_s", 0.1), ("f0", 2.2)):
+        with pytest.raises(InputError, match="332 years") as refused:
+            read_demand(*demand_case(undated, key, value))
+        assert refused.value.code == "elsewhere" and refused.value.key == key
+    assert read_demand(*demand_case(undated, "tc_star_s", 0.34)) is not None
+
+
+@pytest.mark.shows("demand.coordinates")
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("L'Aquila 42.35, 13.40", "coordinates_unread"),
+        ("33T 368000 4690000", "coordinates_unread"),
+        ("a corner", "coordinates_unread"),
+        ("13.40, 42.35", "coordinates_swapped"),
+    ],
+)
+def test_that_coordinates_with_which_nothing_could_be_compared_are_refused(text, code):
+    with pytest.raises(InputError) as refused:
+        read_demand(
+            *demand_case(
+                {
+                    "ag_g": 0.05,
+                    "spectrum": {"code": "NTC2018", "f0": 2.36, "tc_star_s": 0.35, "soil": "C", "topography": "T1"},
+                },
+                "coordinates",
+                text,
+            )
+        )
+    assert refused.value.code == code
 
 
 def demand_case(demand, key, value):
