@@ -8,6 +8,9 @@ from typing import NamedTuple
 WALL, DEMAND, HOLD = "wall", "demand", "hold"
 """Sections whose evidence shows the value of a key: [[wall.evidence]], [[demand.evidence]], evidence of the ties."""
 
+EVIDENCE_TABLES = {WALL: "[[wall.evidence]]", DEMAND: "[[demand.evidence]]", HOLD: "[[wall.hold]]"}
+"""Section -> the table of a case its evidence stands in; of a tie it is a key of the tie."""
+
 SEEN, MEASURED, STATED = "seen", "measured", "stated"
 """What a document has to be: one that shows that a thing is there, one that shows a number, one that states what is
 asked of a wall."""

@@ -7,19 +7,18 @@ from dataclasses import dataclass
 from core.case import asked
 from core.case.asked import DEMAND, WALL, evidence_keys
 from core.case.keys import choice_key, text_key
+from core.codes.verdict import SHOWS_PRESENCE, SHOWS_STRENGTH
 from core.errors import InputError
 from core.text.sentence import Sentence, sentence
 
-PRESENCE = "drawing", "opening", "survey", "photograph"
-STRENGTH = "test", "calculation", "dimensioned_drawing"
+PRESENCE, STRENGTH = SHOWS_PRESENCE, SHOWS_STRENGTH
 STATED = "study", "act"
-"""Kinds of documents that show that a thing is there, those that show what it stands too, and those that state what is
-asked: a study or a publication, an act of the client or of an authority."""
+"""Kinds of documents that state what is asked: a study or a publication, an act of the client or of an authority."""
 
 KINDS_THAT_SHOW = {
     asked.SEEN: (*PRESENCE, *STRENGTH, "study"),
     asked.MEASURED: (*STRENGTH, "study"),
-    asked.STATED: (*STRENGTH[:2], *STATED),
+    asked.STATED: ("calculation", *STATED),
 }
 """What a document has to be -> its kinds."""
 

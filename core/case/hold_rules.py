@@ -4,8 +4,9 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
+from core.case.asked import DEMAND, shown_by
 from core.case.directions import LONGEST
-from core.case.document import STRENGTH
+from core.case.document import KINDS_THAT_SHOW, PRESENCE, STATED, STRENGTH
 from core.case.held_stretches import find_held_stretches, stands_outward
 from core.case.hold import HOLD_KINDS, TIE, Hold, hold_kind
 from core.case.site import Building
@@ -139,7 +140,8 @@ def refuse_old_reasons(table: Mapping[str, Any], here) -> None:
     if "investigations" in table:
         words = _toml_value(str(table["investigations"]))
         written = f'evidence = [{{ of = "confidence_factor", kind = "test", reference = {words} }}]'
-        raise InputError("old_reason", place=here, key="investigations", written=written)
+        kinds = KINDS_THAT_SHOW[shown_by(DEMAND, "confidence_factor")]
+        raise InputError("old_reason", place=here, key="investigations", written=written, kinds=kinds)
     reasons = table.get("justification")
     if reasons is None:
         return
@@ -151,7 +153,8 @@ def refuse_old_reasons(table: Mapping[str, Any], here) -> None:
         written = f"evidence = {shown}"
     else:
         written = f'evidence = [{{ of = "{name}", {shown[2:]}]'
-    raise InputError("old_reason", place=here, key="justification", written=written)
+    kinds = (*PRESENCE, *STRENGTH, *STATED)
+    raise InputError("old_reason", place=here, key="justification", written=written, kinds=kinds)
 
 
 def rewritten(table: Mapping[str, Any]) -> str:

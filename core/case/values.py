@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import MISSING, fields
 from types import SimpleNamespace
 
+from core.case.document import PRESENCE, STATED, STRENGTH
 from core.case.hinges import BASE, FLOORS
 from core.case.hold_rules import refuse_old_keys, refuse_old_reasons
 from core.case.keys import is_required
@@ -51,6 +52,8 @@ def refuse_unknown(cls, table: dict, here) -> None:
     if cls is Demand:
         refuse_old_reasons(table, (here,))
     for key in table:
+        if key == "evidence" and key not in keys:
+            raise InputError("evidence_elsewhere", place=(here,), key=key, kinds=(*PRESENCE, *STRENGTH, *STATED))
         if key not in keys:
             near = [name for name in keys if name.endswith(f"_{key}")] or difflib.get_close_matches(key, keys, 1)
             if near:

@@ -44,6 +44,7 @@ class Assumption:
     permitted : by a clause, without a reason: the outcome stands, and its sentence says what would turn it
     raises : zeta is lower at the other end
     check : name of the check whose zeta this is; "" of the one that decides
+    asks : the table its document stands in, and the kinds that show it; "" where none is asked for
     """
 
     key: str
@@ -59,6 +60,7 @@ class Assumption:
     permitted: bool = False
     raises: bool = True
     check: str = ""
+    asks: Sentence | str = ""
 
     @property
     def has_switch(self) -> bool:

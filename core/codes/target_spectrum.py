@@ -187,7 +187,9 @@ FLOOR_OF_DESIGN, FLOOR_SPAN = (0.19, 0.21), 1.25
 """S_d of a design spectrum never falls below 0.2 a_g (NTC 2018 3.2.3.5; EN 1998-1, 3.2.2.5): ordinates over a_g that
 stay, over periods in this ratio, over which those of an elastic spectrum fall by a fifth at the least."""
 
-Q_IN_HEAD = re.compile(r"\bq(?:\s*[=:]\s*|\s+)(\d+(?:[.,]\d+)?)", re.IGNORECASE)
+Q_IN_HEAD = re.compile(
+    r"\bq(?:\s*[=:]\s*|\s+)(\d+(?:[.,]\d+)?)(?!\d|[.,]\d|\s*(?:m\b|m\s*s\.?\s*l|mm|cm|km|kN|kPa|MPa))", re.IGNORECASE
+)
 DESIGN_IN_HEAD = re.compile(
     r"spettr\w+ di progetto|design spectr|behaviou?r factor|fattore di (?:struttura|comportamento)|\b(?-i:S_?d)\b",
     re.IGNORECASE,

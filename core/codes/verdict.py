@@ -20,6 +20,10 @@ from core.codes.vertical_bending import bending, uplift_multiplier
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
 
+SHOWS_PRESENCE = "drawing", "opening", "survey", "photograph"
+SHOWS_STRENGTH = "test", "calculation", "dimensioned_drawing"
+"""Kinds of documents that show that a thing is there, and those that show what it stands too."""
+
 TO_MEND = {
     "no_restraint": Sentence("reason", "to_no_restraint", (("key", Key("hold")),)),
     "no_top_restraint": Sentence(
@@ -60,7 +64,7 @@ class Verdict:
     governing : name of the check that decides, or None
     way, values : the sentence of the group "verdict" and what it says; `text` adds where
     decides : the check that decides with what it compares, or what is missing
-    to_do : what the designer does next, two at most
+    to_do : what the designer does next, all of it
     limits : what limits the verdict, first what makes it indicative, of which there are `blocking`
     notes : what a reader may pass over
     lower_bound : zeta of the two-sided motion where the restraint behind a one-sided wall fails, or None
@@ -184,7 +188,7 @@ def make_verdict(
         way,
         tuple(values.items()),
         decides,
-        tuple(_to_do(code, [*blocking, *([missing] if missing else [])], assumed)[:2]),
+        tuple(_to_do(code, [*blocking, *([missing] if missing else [])], assumed, wall.bends)),
         tuple(limits),
         tuple(optional_remarks(seen, code)),
         lower_bound,
@@ -218,8 +222,9 @@ def _code(seen: Evidence, blocked: bool, agrees: bool) -> str:
     return "verified_refined" if seen.demand.limit_state == "SLV" and not agrees else "verified"
 
 
-def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...]) -> list[Sentence]:
-    """Sentences on what the designer does next, the most urgent first. blocking : with what is missing"""
+def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...], held_at_top: bool) -> list[Sentence]:
+    """Sentences on what the designer does next, the most urgent first. blocking : with what is missing; held_at_top :
+    by what has to be shown to stand, not only to be there"""
     actions = []
     codes = {words.code for words in blocking}
     mends = [to_do for why, to_do in TO_MEND.items() if why in codes]
@@ -228,15 +233,29 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...])
     if code == "indicative":
         for row in assumed:
             if row.words in blocking and row.source == DECLARED and row.key in (RESTRAINT, ARCH):
-                actions.append(reason("to_evidence", key=Key("evidence")))
-            elif row.words in blocking and row.key not in (ALL_TOGETHER_KEY, RESTRAINT):
-                actions.append(reason("give_reason", key=Key(row.key), evidence=Key("evidence")))
+                stands = row.key == ARCH or held_at_top
+                kinds = tuple(Key(f"kind={kind}") for kind in (SHOWS_STRENGTH if stands else SHOWS_PRESENCE))
+                shows = "to_evidence_strength" if stands else "to_evidence"
+                actions.append(reason(shows, key=Key("evidence"), hold=row.value, kinds=kinds))
+        actions += _documents_to_give([row for row in assumed if row.words in blocking and row.key not in HELD])
         actions += mends
         if "alone" in codes:
             actions.append(reason("justify"))
     elif code == "verified_refined":
         actions.append(reason("justify"))
     return actions
+
+
+HELD = ALL_TOGETHER_KEY, RESTRAINT, ARCH
+"""Keys of rows that no document of a value answers."""
+
+
+def _documents_to_give(rows: list[Assumption]) -> list[Sentence]:
+    """What documents are asked for, those of one table and of the same kinds together."""
+    keys: dict[Sentence | str, dict[str, None]] = {}
+    for row in rows:
+        keys.setdefault(row.asks or Key("evidence"), {})[row.key] = None
+    return [reason("give_reason", keys=tuple(map(Key, named)), evidence=asks) for asks, named in keys.items()]
 
 
 def _activated(seen: Evidence, threshold: float) -> bool:

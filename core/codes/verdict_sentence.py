@@ -47,10 +47,12 @@ def check_sentence(check: Check, dynamic: DynamicCheck | None, demand: SeismicDe
         )
     falls = sum(run.status != "stable" for run in dynamic.runs)
     beyond = sum(run.exceeded or run.status != "stable" for run in dynamic.runs)
+    at = "at_full_demand" if demand.zeta_target != 1.0 and beyond else "nothing"
     if beyond > falls:  # some come back from beyond theta_c, which the rule does not allow either
-        return sentence("added", "by_dynamic_beyond", n=beyond, m=len(dynamic.runs), falls=falls)
+        values = {"at": sentence("added", at), "n": beyond, "m": len(dynamic.runs), "falls": falls}
+        return sentence("added", "by_dynamic_beyond", **values)
     if falls:
-        return sentence("added", "by_dynamic_falls", n=falls, m=len(dynamic.runs))
+        return sentence("added", "by_dynamic_falls", at=sentence("added", at), n=falls, m=len(dynamic.runs))
     rule = "by_dynamic_mean" if dynamic.set_rule == "mean" else "by_dynamic_maximum"
     return sentence("added", rule, peak=Number(dynamic.peak_ratio), limit=Number(dynamic.limit_ratio))
 

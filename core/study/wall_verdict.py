@@ -2,6 +2,7 @@
 
 from core.case.floor_loads import add_floor_loads
 from core.case.hinges import best_way, default_hinges
+from core.case.plausible import plausibility_questions
 from core.case.schema import Case
 from core.case.set_aside import OVERTURNING
 from core.case.site import Demand
@@ -42,7 +43,7 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         asked, states = case.wall[origin], _states(demand, hinges)
         hidden = [note for note in case.table_notes if note.code in HIDDEN_CELL_NOTICES]
         extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(demand, states)]
-        extra += hidden
+        extra += [*hidden, *plausibility_questions(asked, case.building, case.wall)]
         zeta_least = min_if_all_known(wall.required_assessment.verdict.zeta_e for wall in hinges)
         withstands = risk_of_wall([wall.required_assessment.risk for wall in hinges])
         verdicts.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))

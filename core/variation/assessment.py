@@ -211,6 +211,7 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     zeta = free.zeta if free else None
     alike = not wall.bends and wall.in_si.rocks_both_ways and wall.in_si.sides_are_alike
     stays = free is None and evaluation.outcome == "not_activated" and alike
+    holds = free is not None and free.satisfied and not (hold and hold.evidence is None and _is_worse(free, evaluation))
     return Assumption(
         RESTRAINT,
         sentence("reason", code, zeta=Number(zeta), restraint=restraint_phrase(wall.in_si.declared)),
@@ -219,9 +220,16 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
         DECLARED if hold else LEFT_OUT,
         zeta,
         free.outcome if free else "undetermined",
-        turns=not (stays or (free is not None and free.satisfied)),
+        turns=not (stays or holds),
         reason=sentence("word", f"evidence_{shown.kind}") if shown else "",
     )
+
+
+def _is_worse(free: Evaluation, evaluation: Evaluation) -> bool:
+    """Whether a wall without what restrains it has another outcome, or a lower zeta of two digits, though it passes: of
+    a restraint that nobody shows the worse counts."""
+    lower = free.zeta is not None and evaluation.zeta is not None and round(free.zeta, 2) < round(evaluation.zeta, 2)
+    return lower or free.outcome != evaluation.outcome
 
 
 def _without_restraint(evaluation: Evaluation, cancelled: Callable[[], bool]) -> Evaluation | None:

@@ -168,6 +168,7 @@ def _row(
         reason=favourable.reason,
         permitted=favourable.permitted,
         raises=zeta_for_sorting(zetas[lowest]) < zeta_for_sorting(shown.zeta),
+        asks=favourable.asks,
     )
 
 

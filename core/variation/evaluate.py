@@ -116,7 +116,7 @@ class Evaluation:
             strongest=max((demand.scaling(motion) * motion.pga for motion in motions), default=0.0),
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
             histories_off=scene.histories_off and not motions,
-            beside=self.beside.zeta if self.beside else None,
+            beside=self._zeta_beside(),
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
             sound=len(counted_stations([motion for motion in motions if not is_doubtful(motion)], demand)),
@@ -127,6 +127,13 @@ class Evaluation:
         if wall.arch is not None and scene.kinematic is not None:  # as the demand pushes what its ends push against
             wall = scene.kinematic.wall
         return Evidence(wall, scene.mechanism, demand, *parts)
+
+    def _zeta_beside(self) -> float | None:
+        """zeta of the histories that decide nothing, or of what gives way along them before [-]."""
+        if self.beside is None or self.beside.zeta is None or self.kinematic is None:
+            return None
+        hold = _check_of_holds(self.scene, self.kinematic, self.beside)
+        return self.beside.zeta if hold is None or hold.zeta is None else min(self.beside.zeta, hold.zeta)
 
     def _unbranched(self) -> str:
         """Code of the reason why the histories have not the elastic branch the clause asks for."""

@@ -5,13 +5,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from core.case.asked import ASKED
-from core.case.document import AnyEvidence, Document, document_of
+from core.case.asked import ASKED, EVIDENCE_TABLES
+from core.case.document import KINDS_THAT_SHOW, AnyEvidence, Document, document_of
 from core.codes.assumption import GIVEN, DisplayValue
 from core.codes.kinematic import Check
 from core.known import require_value
 from core.setting.check_input import CheckInput
-from core.text.sentence import Number, Sentence, sentence
+from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
 
 AlternativeEvaluations = list[Evaluation | None]
@@ -70,6 +70,15 @@ class FavourableInput:
         given = self.shown_by
         shown = document_of(given, self.key) if isinstance(given, tuple) else given
         return shown.words if shown else ""
+
+    @property
+    def asks(self) -> Sentence | str:
+        """The table its document stands in, and the kinds that show it; "" of what a clause permits."""
+        row = ASKED[self.code]
+        if not row.section:
+            return ""
+        kinds = tuple(Key(f"kind={kind}") for kind in KINDS_THAT_SHOW[row.shown_by])
+        return sentence("reason", "in_table", table=Key(EVIDENCE_TABLES[row.section]), kinds=kinds)
 
     def phrase(self, zetas: list[float | None], check: Check) -> Sentence:
         """Its sentence. zetas : at each end; check : they are of"""

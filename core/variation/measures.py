@@ -20,7 +20,8 @@ from core.codes.multiplier_search import Precision
 from core.errors import InputError
 from core.known import require_value
 from core.setting.plan import FloorCache
-from core.text.sentence import Number, Sentence, sentence
+from core.text.sentence import Key, Number, Sentence, sentence
+from core.variation.assumptions import evaluate_assumptions
 from core.variation.changes import rescale_thickness
 from core.variation.evaluate import FULL_PRECISION
 from core.variation.wall_evaluation import NO_EVALUATION, WallContext, WallEvaluation, evaluate_wall, replace_wall
@@ -107,13 +108,15 @@ class MeasureKind(NamedTuple):
 @dataclass(frozen=True)
 class Measure:
     """A measure that makes a wall pass. size : force [kN/m], thickness or height [m], share of a thrust [-]; zeta : of
-    the wall with it; heights : at which it acts [m]; spacing : of its bars along the wall [m]"""
+    the wall with it; heights : at which it acts [m]; spacing : of its bars along the wall [m]; to_show : keys of what
+    documents must show then, by the checks of the clauses"""
 
     code: str
     size: float
     zeta: float | None
     heights: tuple[float, ...] = ()
     spacing: float = SPACING
+    to_show: tuple[str, ...] = ()
 
     @property
     def bar(self) -> tuple[int | None, int | None]:
@@ -134,6 +137,9 @@ class Measure:
             bars = sentence("added", "bars", diameter=diameter, thread=thread, spacing=self.spacing)
         heights = tuple(Number(height, ".4g") for height in self.heights)
         values = {"size": Number(self.size, ".4g"), "zeta": Number(self.zeta), "heights": heights, "bars": bars}
+        values["shown"] = sentence("added", "nothing")
+        if self.to_show:
+            values["shown"] = sentence("added", "once_shown", keys=tuple(map(Key, self.to_show)))
         return sentence("reason", self.code, **values)
 
 
@@ -183,9 +189,16 @@ def find_measure(setting: WallContext, kind: MeasureKind, cancelled: Callable[[]
         if evaluated is not None and evaluated.sure:
             evaluated = there(size) if evaluated.beyond else evaluated
         if evaluated is not None and evaluated.sure:
-            return Measure(kind.code, size, evaluated.zeta, kind.heights, kind.spacing)
+            to_show = _find_unshown(there(size, inputs=(setting.demand, [], [])) or NO_EVALUATION, cancelled)
+            return Measure(kind.code, size, evaluated.zeta, kind.heights, kind.spacing, to_show)
         size = size * MORE if kind.rises else size / MORE
     return None
+
+
+def _find_unshown(by_clauses: WallEvaluation, cancelled: Callable[[], bool]) -> tuple[str, ...]:
+    """Keys whose other end turns a wall that passes by the clauses and that no document shows."""
+    rows = [row for hinge in by_clauses.hinges if hinge.satisfied for row in evaluate_assumptions(hinge, cancelled)]
+    return tuple(dict.fromkeys(row.key for row in rows if row.turns and row.open))
 
 
 def spread(least: float, most: float, steps: int) -> list[float]:

@@ -20,7 +20,7 @@ from core.setting.check_input import CheckInput
 from core.setting.floors import MAX_STOREY, MIN_STOREY
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.variation.evaluate import Evaluation, evaluate
-from core.variation.favourable_input import SceneChange, at_period, wall_change, with_building
+from core.variation.favourable_input import SceneChange, at_period, check_phrase, wall_change, with_building
 from core.variation.favourable_wall_inputs import setback_at, turning_inside
 
 LEVER = 0.05
@@ -48,7 +48,7 @@ class UnaskedRange:
     """zeta over all that no clause asks about, one at a time, by the clauses' checks alone.
 
     keys : of what was moved; zeta : as the wall is; low, high : the lowest and the highest, zeta as it is among them
-    most : key of what moves it most
+    most : key of what moves it most; by : the check that decides there, in words
     """
 
     keys: tuple[str, ...]
@@ -56,20 +56,23 @@ class UnaskedRange:
     low: float
     high: float
     most: str
+    by: Sentence
 
     @property
     def words(self) -> Sentence:
         """The line that says it."""
         values = {"low": Number(self.low), "high": Number(self.high), "zeta": Number(self.zeta)}
-        return sentence("reason", "unasked_range", keys=tuple(map(Key, self.keys)), most=Key(self.most), **values)
+        named = {"keys": tuple(map(Key, self.keys)), "most": Key(self.most), "by": self.by}
+        return sentence("reason", "unasked_range", **named, **values)
 
 
 def find_unasked_range(evaluation: Evaluation) -> UnaskedRange | None:
     """The range of zeta of a wall; None of one of which the clauses make no check, or where nothing moves it."""
     scene = evaluation.scene.without_records()
-    zeta = evaluate(scene, other=False).zeta
-    if zeta is None:
+    decides = evaluate(scene, other=False).decides
+    if decides is None or decides.zeta is None:
         return None
+    zeta = decides.zeta
     zetas: dict[str, list[float]] = {}
     for unasked in unasked_inputs(scene):
         zetas.setdefault(unasked.key, []).extend(_zeta_at(scene, end) for end in unasked.ends)
@@ -78,7 +81,7 @@ def find_unasked_range(evaluation: Evaluation) -> UnaskedRange | None:
         return None
     every = [zeta, *(there for found in moved.values() for there in found)]
     most = max(moved, key=lambda key: max(*moved[key], zeta) - min(*moved[key], zeta))
-    return UnaskedRange(tuple(moved), zeta, min(every), max(every), most)
+    return UnaskedRange(tuple(moved), zeta, min(every), max(every), most, check_phrase(decides))
 
 
 def _zeta_at(scene: CheckInput, end: SceneChange) -> float:

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 
 from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
-from core.codes.outcomes import OUTCOMES
+from core.codes.outcomes import FAILS, OUTCOMES
 from core.report import assumption_table
 from core.report.derived import cell_prefix
 from core.report.note import plan_figure, site, wall_figures
@@ -41,8 +41,11 @@ MAX_COLUMNS = 12
 FIGURES = 3
 """Figures of a wall, in one row."""
 
-MAX_LINES = 6
-"""Limits of an outcome on the page of a wall."""
+ONLY_IN_FULL = ("supports", "top_force", "ties_at_sld", "stiff_building", "no_period", "arch_parts", "other_state")
+"""Limits that change no outcome, or stand in the table of all walls; all others stand beside an outcome that passes."""
+
+OF_WHAT_PASSES = ("weaker_fails", "code_below_records", "hinge_highest")
+"""Limits that say nothing more of a wall that fails."""
 
 
 def note(result: StudyResult, language: str) -> list[Part]:
@@ -123,7 +126,9 @@ def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) ->
     """What the designer does next: each sentence once, with the walls it is of."""
     names: dict[str, list[str]] = {}
     for verdict in ordered:
-        for sentence in _governing(result, verdict).required_assessment.verdict.to_do:
+        code = _governing(result, verdict).required_assessment.verdict.code
+        found = [result.walls[k].required_assessment.verdict for k in verdict.results]
+        for sentence in dict.fromkeys(line for each in found if each.code == code for line in each.to_do):
             names.setdefault(sentence.text(words.language, names_in(words.language)), []).append(verdict.title)
     if not names:
         return []
@@ -147,7 +152,7 @@ def _rests_on(result: StudyResult, ordered: Iterable[WallVerdict], words: Words)
         cells = []
         for k, (_, rows) in enumerate(of_walls, start=1):
             row = rows.get(key)
-            cells.append("" if row is None else words.number(row.zeta, ".2f") + ("" if row.open else " ✓"))
+            cells.append("" if row is None else _zeta_there(row, words) + ("" if row.open else " ✓"))
             if row is not None and row.open:
                 tones[n, k] = "bad"
         table.append([words.word(f"key_{key}"), *cells])
@@ -163,37 +168,21 @@ def _shared_limits(result: StudyResult, ordered: Sequence[WallVerdict], words: W
     """Limits that every wall of a case has, of several: they stand once."""
     if len(ordered) < 2:
         return []
-    each = [_limits(_governing(result, verdict), words) for verdict in ordered]
+    each = [_limits(result, _governing(result, verdict), words) for verdict in ordered]
     return [line for line in each[0] if all(line in others for others in each[1:])]
 
 
-def _limits(wall: WallResult, words: Words) -> list[str]:
-    """What keeps an outcome from being more, and the line of what no clause asks about."""
+def _limits(result: StudyResult, wall: WallResult, words: Words) -> list[str]:
+    """What keeps an outcome from being more, what it is to be read with, and the line of what no clause asks about."""
     assessment = wall.required_assessment
     verdict, tabled = assessment.verdict, assumption_table.tabled(wall, words.language)
-    chosen = [*verdict.limits[: verdict.blocking]]
-    chosen += [limit for limit in verdict.limits[verdict.blocking :] if limit.code in BESIDE_THE_OUTCOME]
+    extra = [limit for each in result.verdicts if _governing(result, each) is wall for limit in each.extra]
+    passed_over = (*ONLY_IN_FULL, *(OF_WHAT_PASSES if OUTCOMES[verdict.code].judgement == FAILS else ()))
+    chosen = [limit for limit in (*verdict.limits, *extra) if limit.code not in passed_over]
     lines = [
         f"{word('limits', words.language)}: {limit.text(words.language, names_in(words.language))}" for limit in chosen
     ]
     return [line for line in dict.fromkeys(lines) if line not in tabled]
-
-
-BESIDE_THE_OUTCOME = (
-    "unasked_range",
-    "generated_motions",
-    "elastic_branch",
-    "fails_at_demand",
-    "hold_top",
-    "hold_base",
-    "hold_foot",
-    "hold_ends",
-    "arch_thrust",
-    "ties_histories",
-    "ties_displacement",
-    "slack_not_counted",
-)
-"""Limits without which the numbers of a wall cannot be followed."""
 
 
 def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str], words: Words) -> list[Part]:
@@ -208,8 +197,8 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str]
         Heading(f"{verdict.title} – {outcome}", 2, True, verdict.governing),
         Paragraph(sentence_of(wall, language), tone_of(result, wall)),
     ]
-    own = [line for line in _limits(wall, words) if line not in shared]
-    parts += [Item(line, "quiet") for line in (*own[:MAX_LINES], *certainty_line(result, wall, words))]
+    own = [line for line in _limits(result, wall, words) if line not in shared]
+    parts += [Item(line, "quiet") for line in (*own, *certainty_line(result, wall, words))]
     parts += [check_bars(result, wall, words), *register_parts(result, wall, words, brief=True)]
     parts += _turning_rows(result, verdict, words)
     parts += [*site.solids(wall, words, grouped=True), *site.loads(wall, words)]
@@ -223,6 +212,11 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str]
     return parts
 
 
+def _zeta_there(row: Assumption, words: Words) -> str:
+    """zeta at the other end of an input, the outcome there where it has none."""
+    return words.word(row.outcome).lower() if row.zeta is None else words.number(row.zeta, ".2f")
+
+
 def _turning_rows(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part]:
     """The inputs whose other ends turn the outcome of a wall."""
     rows = [row for row in collect_assumptions(result, verdict) if row.turns]
@@ -232,7 +226,7 @@ def _turning_rows(result: StudyResult, verdict: WallVerdict, words: Words) -> li
             words.word("together" if row.key == ALL_TOGETHER_KEY else f"key_{row.key}"),
             format_value(row, row.value, language),
             format_value(row, row.other_end, language),
-            words.number(row.zeta, ".2f"),
+            _zeta_there(row, words),
             format_value(row, row.reason, language) or ("–" if row.open else words.say("permitted")),
         ]
         for row in rows

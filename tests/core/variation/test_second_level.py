@@ -174,7 +174,7 @@ def settled(table, result):
             asked = [one for one in ASKED.values() if row.key in one.keys or row.key in OF_TIES]
             if not (row.turns and row.open) or row.key == ALL_TOGETHER_KEY or not asked:
                 continue
-            document = {"kind": "test", "reference": "PT-04"}
+            document = {"kind": "calculation", "reference": "C-04"}
             if row.key in OF_TIES:
                 holds = [hold | ({"evidence": document} if hold["kind"] == "tie" else {}) for hold in wall["hold"]]
                 wall["hold"] = holds
