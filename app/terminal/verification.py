@@ -22,9 +22,9 @@ from core.regular_file import TooLarge, read_regular
 from core.report.differences import (
     Difference,
     case_of_workbook,
+    compare_workbooks,
     diff_lines,
     diff_results,
-    diff_workbooks,
     words_of_notes,
 )
 from core.study.results import StudyResult
@@ -36,6 +36,9 @@ EXIT_EQUAL, EXIT_DIFFERS, EXIT_CANNOT = 0, 5, 6
 
 MAX_DIFFERENCES_SHOWN = 40
 """Differences that are listed."""
+
+MAX_PARTS_SHOWN = 8
+"""Parts of a workbook that are named."""
 
 SECONDS, MEGABYTES = 60.0, 2000
 """That reading the words of a note, or the cells of a workbook, may take."""
@@ -137,9 +140,23 @@ def _files(parse: Callable[[Any], tuple[CaseFile, ...]], content: Any, report: P
         raise InputError("not_a_report", place=(report,)) from None
 
 
+def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """The mapping of an object of a JSON. Raises ValueError for a key that stands twice: one reader takes the first,
+    another the last."""
+    table = dict(pairs)
+    if len(table) < len(pairs):
+        raise ValueError("key")
+    return table
+
+
+def _refuse_constant(name: str) -> None:
+    """Raise ValueError for NaN and Infinity, which no JSON holds."""
+    raise ValueError(name)
+
+
 def _loaded(content: bytes, place: Path) -> dict:
     try:
-        report = json.loads(content)
+        report = json.loads(content, object_pairs_hook=_unique, parse_constant=_refuse_constant)
     except (ValueError, RecursionError):
         report = None
     text = report.get("case_toml") if isinstance(report, dict) else None
@@ -197,7 +214,11 @@ def _compared(report: Path, content: bytes, reported: dict, result: StudyResult,
         made.write(result, Path(name), report.stem)
         if content.startswith(b"PK"):
             again = (Path(name) / f"{report.stem}.xlsx").read_bytes()
-            yield from _bounded(report, diff_workbooks, content, again)
+            parts, cells = _bounded(report, compare_workbooks, content, again)
+            yield from cells
+            if parts and not cells:  # what a reader sees is more than cells: formats, hidden rows, charts
+                text = "every cell is equal, but saved by another program: {parts} are not as written here"
+                raise Unverifiable(terminal(text, parts=", ".join(parts[:MAX_PARTS_SHOWN])))
         else:
             yield from diff_results(reported, json.loads((Path(name) / f"{report.stem}.json").read_bytes()))
 

@@ -1,5 +1,6 @@
 """Where two results, two workbooks or the words of two notes differ."""
 
+import contextlib
 import difflib
 import io
 import zipfile
@@ -40,7 +41,8 @@ def diff_results(reported: Any, rerun: Any, place: str = "") -> Iterator[Differe
     elif not _same(reported, rerun):
         share = None
         if _is_number(reported) and _is_number(rerun):
-            share = abs(rerun - reported) / max(abs(rerun), abs(reported))
+            with contextlib.suppress(OverflowError):  # a whole number beyond what a float holds
+                share = abs(rerun - reported) / max(abs(rerun), abs(reported))
         yield Difference(place, _text(reported), _text(rerun), share)
 
 
@@ -81,11 +83,28 @@ def case_of_workbook(content: bytes) -> tuple[str, list[str]]:
     return "", []
 
 
-def diff_workbooks(reported: bytes, rerun: bytes) -> list[Difference]:
-    """The differences of two workbooks, cell by cell: formulas, and the values that are kept beside them; none of two
-    whose parts are the same byte by byte. Raises what openpyxl raises of a file that is none."""
-    if _parts(reported) == _parts(rerun):
-        return []
+class WorkbookComparison(NamedTuple):
+    """parts : names of those of a workbook that are others than those that are written here: formats, hidden rows and
+    sheets, pictures, comments, links as well as cells; cells : what differs in these"""
+
+    parts: list[str]
+    cells: list[Difference]
+
+
+def compare_workbooks(reported: bytes, rerun: bytes) -> WorkbookComparison:
+    """Compare two workbooks part by part, and where parts differ cell by cell. Raises what openpyxl raises of a file
+    that is none."""
+    found, made = _parts(reported), _parts(rerun)
+    if found == made:
+        return WorkbookComparison([], [])
+    each = [dict(parts) for parts in (found, made)]
+    names = list(dict.fromkeys(name for parts in each for name in parts))
+    other = [name for name in names if each[0].get(name) != each[1].get(name)]
+    return WorkbookComparison(other or ["[order]"], _diff_cells(reported, rerun))
+
+
+def _diff_cells(reported: bytes, rerun: bytes) -> list[Difference]:
+    """The differences of two workbooks, cell by cell: formulas, and the values that are kept beside them."""
     import openpyxl
 
     differences: list[Difference] = []

@@ -139,14 +139,14 @@ def test_the_whole_job(opened, application, tmp_path):
 @pytest.mark.shows("window.same_files")
 def test_that_the_exported_workbook_is_the_batchs_cell_for_cell(opened, application, tmp_path):
     from app.terminal import batch
-    from core.report.differences import diff_workbooks
+    from core.report.differences import compare_workbooks
 
     run(application, opened)
     (tmp_path / "a").mkdir()
     opened.files.export(tmp_path / "a" / "small.xlsx")
     settle(application, lambda: opened.runner.job is None)
     assert batch.run(opened.session.path, tmp_path / "b", 1, True, False) == 0
-    assert diff_workbooks(*((tmp_path / name / "small.xlsx").read_bytes() for name in "ab")) == []
+    assert compare_workbooks(*((tmp_path / name / "small.xlsx").read_bytes() for name in "ab")) == ([], [])
 
 
 def test_that_dropped_files_become_records(opened, application):

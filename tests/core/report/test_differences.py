@@ -4,7 +4,7 @@ import io
 
 import openpyxl
 
-from core.report.differences import case_of_workbook, diff_lines, diff_results, diff_workbooks
+from core.report.differences import case_of_workbook, compare_workbooks, diff_lines, diff_results
 
 
 def test_that_a_key_more_a_key_less_and_another_type_are_differences():
@@ -37,10 +37,10 @@ def book_of(**cells) -> bytes:
 
 def test_that_numbers_texts_and_formulas_of_cells_are_compared_and_sheets_by_name():
     one = book_of(A1="zeta", B1=0.5, C1="=B1*2")
-    assert diff_workbooks(one, book_of(A1="zeta", B1=0.5, C1="=B1*2")) == []
-    places = [found.place for found in diff_workbooks(one, book_of(A1="ZETA", B1=0.6, C1="=B1*3", D1=1))]
+    assert compare_workbooks(one, book_of(A1="zeta", B1=0.5, C1="=B1*2")).cells == []
+    places = [found.place for found in compare_workbooks(one, book_of(A1="ZETA", B1=0.6, C1="=B1*3", D1=1)).cells]
     assert places == ["Check!A1", "Check!B1", "Check!D1", "Check!C1"]
-    (found,) = diff_workbooks(one, book_of(title="Other"))
+    (found,) = compare_workbooks(one, book_of(title="Other")).cells
     assert (found.reported, found.found) == ("Check", "Other")
 
 
