@@ -56,8 +56,8 @@ class Threads:
         """Carry works out side by side, the tasks of the first ones first, each begun when threads would be idle.
         on_end : called from the calling thread with what each returns, in their order
 
-        Raises Cancelled within 0.1 s of a cancel, a task's stop and what runs in this thread, and whatever a task or a
-        work raises.
+        What a task raises is thrown into its work, which may end with another result. Raises Cancelled within 0.1 s of
+        a cancel, a task's stop and what runs in this thread, and whatever a work raises.
         """
         ended, done = threading.Event(), queue.SimpleQueue()
         with ThreadPoolExecutor(self.jobs) as pool:
@@ -78,7 +78,7 @@ class Threads:
                     with contextlib.suppress(queue.Empty):
                         ready = done.get(timeout=0.1)
                     if ready is not None:
-                        under_way.take(*flying.pop(ready), ready.result())
+                        under_way.take(*flying.pop(ready), ready)
                     if self.cancelled():
                         raise Cancelled
             finally:
@@ -101,6 +101,8 @@ class _UnderWay:
     def next_task(self) -> tuple[int, Any, Callable] | None:
         """(number of its work, key, task) of the next task, of a work begun for it if need be; None where none is left
         that waits for no other."""
+        while self._waiting and self._waiting[0][0] not in self._open:  # of a work that an error ended
+            heapq.heappop(self._waiting)
         while not self._waiting:
             begun = next(self._works, None)
             if begun is None:
@@ -111,19 +113,25 @@ class _UnderWay:
         number, _, key, task = heapq.heappop(self._waiting)
         return number, key, task
 
-    def take(self, number: int, key: Any, result: Any) -> None:
-        """The result of a task."""
+    def take(self, number: int, key: Any, done: Future) -> None:
+        """The result of a task that is done, or what it raised."""
+        if number not in self._open:
+            return
         work, batch, results = self._open[number]
-        results[key] = result
-        batch.on_result(key, result)
+        if (error := done.exception()) is not None:
+            self._send(number, work, None, error)
+            return
+        results[key] = done.result()
+        batch.on_result(key, results[key])
         if len(results) == len(batch.tasks):
             self._send(number, work, results)
 
-    def _send(self, number: int, work: Work, results: Any) -> None:
-        """Go on with a work to its next tasks, or its end. results : None to begin with"""
+    def _send(self, number: int, work: Work, results: Any, error: BaseException | None = None) -> None:
+        """Go on with a work to its next tasks, or its end. results : None to begin with; error : of one of its tasks,
+        after which it has no more of them"""
         self._open.pop(number, None)
         try:
-            batch = work.send(results)
+            batch = work.send(results) if error is None else work.throw(error)
             while not batch.tasks:
                 batch = work.send({})
         except StopIteration as end:

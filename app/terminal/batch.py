@@ -111,13 +111,24 @@ def run(
             for book in books:
                 book.close()
     _warn(result)
+    failed = _write_errors(result, folder / f"{stem}.error.log")
     if not quiet:
         said = summary(result, folder, stem) + (f"\n{shown(str(report))}" if report else "")
         if _never_explained():
             said += "\n" + explanation(folder / f"{stem}.xlsx", bool(result.demand))
         say(said)
     _name_without_number(result)
-    return WITHOUT_NUMBER if result.runs_without_q else DONE
+    return WITHOUT_NUMBER if result.runs_without_q or failed else DONE
+
+
+def _write_errors(result: StudyResult, path: Path) -> bool:
+    """Write what went wrong in walls that have no number for it, and say which; whether there are any."""
+    failed = {wall.part.asked.title: wall.error for wall in result.walls if wall.error}
+    if failed:
+        path.write_text("".join(f"{title}\n{lines}\n" for title, lines in failed.items()), encoding="utf-8")
+        text = "internal error in {walls}: without an outcome; please send {path}"
+        tell(text, walls=", ".join(map(shown, failed)), path=path)
+    return bool(failed)
 
 
 def _warn(result: StudyResult) -> None:

@@ -98,7 +98,13 @@ def run(
         say(summary(tally, folder, stem))
     if tally.without_q:
         tell("{n} runs without a number: column runs_without_q of {path}", n=tally.without_q, path=_table(folder, stem))
-    return WITHOUT_NUMBER if tally.without_q else DONE
+    if tally.errors:
+        tell(
+            "{n} rows with an error: column warnings of {path}",
+            n=tally.errors,
+            path=_table(folder, stem),
+        )
+    return WITHOUT_NUMBER if tally.without_q or tally.errors else DONE
 
 
 def run_part(case: Case, case_path: Path, output: Path | None, jobs: int, quiet: bool, k: int, n: int) -> int:

@@ -32,7 +32,7 @@ def plausibility_questions(wall: Wall, building: Building | None, others: tuple[
         cm = Number(100.0 * wall.leaf.thickness_m, ".3g"), Number(100.0 * wall.thickness, ".3g")
         yield sentence("reason", "odd_leaf", leaf=cm[0], whole=cm[1])
     if wall.variant == DESIGNED:
-        leans = [other.out_of_plumb_m or 0.0 for other in others if (other.name, other.variant) == (wall.name, AS_IS)]
+        leans = [each.out_of_plumb_m or 0.0 for each in others if (each.name, each.variant) == (wall.name, AS_IS)]
         if any(lean > (wall.out_of_plumb_m or 0.0) for lean in leans):
             lean = Number(100.0 * max(leans), ".3g"), Number(100.0 * (wall.out_of_plumb_m or 0.0), ".3g")
             yield sentence("reason", "straightened", before=lean[0], after=lean[1])

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from core.codes.assumption import ALL_TOGETHER_KEY, ARCH, DECLARED, RESTRAINT, Assumption, sort_assumptions
+from core.codes.demand import SeismicDemand
 from core.codes.evidence import (
     Evidence,
     indicative_reasons,
@@ -195,6 +196,13 @@ def make_verdict(
         len(blocking),
         sort_assumptions(assumed),
     )
+
+
+def make_undetermined(demand: SeismicDemand, why: Sentence) -> Verdict:
+    """The verdict of a wall of which no check was made. why : in a sentence"""
+    values = {"state": demand.limit_state, "missing": why}
+    parts = None, None, demand.zeta_target, "undetermined", tuple(values.items())
+    return Verdict("undetermined", *parts, decides=why, limits=(why,))
 
 
 def _shown(assumed: Iterable[Assumption]) -> tuple[Assumption, ...]:

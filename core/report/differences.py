@@ -99,8 +99,8 @@ def compare_workbooks(reported: bytes, rerun: bytes) -> WorkbookComparison:
         return WorkbookComparison([], [])
     each = [dict(parts) for parts in (found, made)]
     names = list(dict.fromkeys(name for parts in each for name in parts))
-    other = [name for name in names if each[0].get(name) != each[1].get(name)]
-    return WorkbookComparison(other or ["[order]"], _diff_cells(reported, rerun))
+    changed = [name for name in names if each[0].get(name) != each[1].get(name)]
+    return WorkbookComparison(changed or ["[order]"], _diff_cells(reported, rerun))
 
 
 def _diff_cells(reported: bytes, rerun: bytes) -> list[Difference]:

@@ -23,7 +23,7 @@ class Tally:
     """Counts of the rows of a case as they go by."""
 
     def __init__(self) -> None:
-        self.rows = self.walls = self.analyses = self.without_q = 0
+        self.rows = self.walls = self.analyses = self.without_q = self.errors = 0
         self.verdicts: Counter[str] = Counter()
         self._worst: list[tuple[tuple, dict]] = []
 
@@ -33,6 +33,7 @@ class Tally:
         self.walls += len(set(rows["wall"]))
         self.analyses += sum(rows["analyses"])
         self.without_q += sum(rows["runs_without_q"])
+        self.errors += sum("wall_error" in (codes or ()) for codes in rows["warnings"])
         for k, decides in enumerate(rows["decides"]):
             if decides is None or decides:
                 self._place({name: rows[name][k] for name in NAMED})

@@ -88,7 +88,8 @@ class RecordResult:
 
 @dataclass(frozen=True)
 class WallResult:
-    """Results of one wall and mechanism; set values are None where the set has none. floor : above the ground."""
+    """Results of one wall and mechanism; set values are None where the set has none. floor : above the ground; error :
+    traceback of what went wrong in a wall that has no number for it"""
 
     part: WallPart
     block: Block
@@ -116,6 +117,7 @@ class WallResult:
     assessment: Assessment | None = None
     accuracy: Accuracy | None = None
     floor: Floor | None = None
+    error: str = field(compare=False, default="")
 
     @property
     def kinematics(self) -> Kinematics:

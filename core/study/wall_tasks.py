@@ -1,5 +1,6 @@
 """The tasks of one wall, in order: search of q, checks, limit states, tie, accuracy; yields tasks, returns results."""
 
+import traceback
 from collections.abc import Callable, Iterator
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -12,6 +13,8 @@ from core.case.hold import Hold
 from core.codes.demand import SeismicDemand
 from core.codes.outcomes import FAILS, OUTCOMES, way_key
 from core.codes.record_compatibility import Compliance
+from core.codes.verdict import make_undetermined
+from core.errors import Cancelled, InputError
 from core.rocking.history import uses_lanes
 from core.setting.check_input import CheckInput
 from core.setting.plan import Plan
@@ -106,7 +109,29 @@ class _Wall:
         self.results: dict[int, WallResult] = {}
 
     def work(self) -> Work:
-        """Returns Finished. Raises InputError, and Cancelled as `Threads.run_works`."""
+        """Returns WallOutcome; of a wall in which something goes wrong that nobody foresaw, its error. Raises
+        InputError, and Cancelled as `Threads.run_works`."""
+        try:
+            return (yield from self._results())
+        except (InputError, Cancelled, OSError, MemoryError):  # of the user, of the machine: no wall is at fault
+            raise
+        except Exception as error:
+            return self._failed(error)
+
+    def _failed(self, error: Exception) -> WallOutcome:
+        """The wall without a number, undetermined, with what went wrong in it."""
+        given, results = self.given, []
+        why = sentence("reason", "wall_error", error=type(error).__name__)
+        lines = "".join(traceback.format_exception(error))
+        for part, mechanism, model, _, floor, _, _ in self.entries.values():
+            wall = wall_result(part, mechanism, model, [], [], given.plan.search, given.demand, floor)
+            if given.demand is not None:
+                verdict = make_undetermined(given.demand, why)
+                wall = replace(wall, assessment=Assessment(None, (), None, None, verdict))
+            results.append(replace(wall, error=lines, warnings=(why, *wall.warnings)))
+        return results, wall_verdicts(given.plan.case, tuple(results))
+
+    def _results(self) -> Work:
         given, plan = self.given, self.given.plan
         yield from self._searched()
         if given.demand:

@@ -193,6 +193,9 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str]
         return wall_parts(result, wall, cell_prefix(result, wall), words)
     found = assessment.verdict
     outcome = f"{words.word(found.code)}, ζ {words.number(found.zeta_e, '.2f')}"
+    least = verdict.zeta_least
+    if found.zeta_e is not None and least is not None and round(least, 2) < round(found.zeta_e, 2):
+        outcome += f", {say('least')} {words.number(least, '.2f')}"
     parts: list[Part] = [
         Heading(f"{verdict.title} – {outcome}", 2, True, verdict.governing),
         Paragraph(sentence_of(wall, language), tone_of(result, wall)),
