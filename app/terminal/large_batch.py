@@ -99,11 +99,7 @@ def run(
     if tally.without_q:
         tell("{n} runs without a number: column runs_without_q of {path}", n=tally.without_q, path=_table(folder, stem))
     if tally.errors:
-        tell(
-            "{n} rows with an error: column warnings of {path}",
-            n=tally.errors,
-            path=_table(folder, stem),
-        )
+        tell("{n} rows with an error: column warnings of {path}", n=tally.errors, path=_table(folder, stem))
     return WITHOUT_NUMBER if tally.without_q or tally.errors else DONE
 
 

@@ -33,6 +33,7 @@ PLACE_OF_CODE = {
     "to_building": "building",
     "lift_edge": "key:hinge_setback_m",
     "to_evidence": "holds",
+    "to_evidence_strength": "holds",
     "other_building": "building",
     "heights_left_out": "key:hinge_heights",
     "hinges_as_asked": "key:hinge_heights",
@@ -50,7 +51,7 @@ def link(target: str, words: str) -> str:
 def _target(one: Sentence) -> str | None:
     """Where a sentence leads."""
     if one.code == "give_reason":
-        return f"reason:{dict(one.values)['key']}"
+        return f"reason:{dict(one.values)['keys'][0]}"
     if one.code in PLACE_OF_CODE or one.code not in ASKED:
         return PLACE_OF_CODE.get(one.code)
     row = ASKED[one.code]

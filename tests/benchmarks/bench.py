@@ -25,7 +25,7 @@
     python3 run.py bench --selection                        # seven records of a thousand, and of few
     python3 run.py bench --sure                             # moves of the inputs, sliders of What if
     python3 run.py bench --outcomes                         # analyses, time and outcomes of the shipped cases
-    python3 run.py bench --outcomes --against OTHER_TREE [--walls N] # of two trees, and of random walls
+    python3 run.py bench --outcomes --against OTHER_TREE [--cases N] [--walls N] # two trees, random walls
     python3 run.py bench --ties [LIST.toml]                 # what q = 2 is worth for a tie, see tie_study.py
 
 With --small it takes fewer of the same inputs, as in the tests (inputs.py): what it prints then says nothing. Every

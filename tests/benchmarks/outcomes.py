@@ -2,7 +2,7 @@
 another tree, what it says of the same cases and of random walls, every difference in a line.
 
     python3 run.py bench --outcomes                                    # verdict, building and palazzo.toml
-    python3 run.py bench --outcomes --against OTHER_TREE [--walls N]   # and N random walls, 200 without it
+    python3 run.py bench --outcomes --against OTHER_TREE [--cases N] [--walls N]   # and random walls, 200 without N
 
 The random walls are judged with four generated motions each, in a process of either tree.
 """
@@ -91,7 +91,7 @@ def _differs(here: tuple | list, there: tuple | list) -> bool:
 
 def main(options: Command) -> None:
     trees = [ROOT, *([options.against] if options.against else [])]
-    for name in options.few(CASES):
+    for name in options.few(CASES[: options.cases or len(CASES)]):
         with tempfile.TemporaryDirectory() as folder:
             ran = [run_case(tree, name, Path(folder)) for tree in trees]
         for each, tree in zip(ran, ("this tree", "the other"), strict=False):
