@@ -200,8 +200,11 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
         free_element=None,
         load=tuple(loads),
         unloaded_confirmed=wall.unloaded_confirmed or not loads,
-        # what the tie stands is looked at where the stretch is chosen
-        hold=(ShareOfHold(TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),),
+        # what the ties stand is looked at where the stretch is chosen
+        hold=(
+            *(ShareOfHold(TIE, h_m=0.0, out_kn_m=math.inf) for tie in wall.ties if tie.h_m == low),
+            ShareOfHold(TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),
+        ),
     )
 
 

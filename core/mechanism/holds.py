@@ -3,6 +3,7 @@
 A reaction is never divided by q, and a moving one takes no confidence factor: a stronger wall pushes harder.
 """
 
+import math
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
@@ -91,10 +92,13 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
             return alpha0 + (most - reaction(alpha0)) / slope if slope > 0.0 else UNLIMITED
         return narrowed(lambda alpha: reaction(alpha) <= most, 0.0, alpha0, steps=BISECTIONS)[0]
 
-    yield HoldLimit(TOP, strength, push_at(lambda alpha: force_on_top(sections, moving, alpha), strength), side)
+    if math.isfinite(strength):  # else it is looked at where the stretch is chosen
+        yield HoldLimit(TOP, strength, push_at(lambda alpha: force_on_top(sections, moving, alpha), strength), side)
     if side == INWARD and (pressed := declared.inward) is not None:
         yield HoldLimit(TOP, pressed, push_at(lambda alpha: force_on_top(sections, moving, alpha), pressed), side)
-    if (foot := declared.foot_strength) is not None:
+    if (foot := declared.foot_strength) is not None and math.isinf(foot):
+        return
+    if foot is not None:
         yield HoldLimit(FOOT, foot, push_at(lambda alpha: reaction_of_foot(sections, moving, alpha), foot), side)
         return
     held = [Reach(require_value(wall.height), UNLIMITED, UNLIMITED)]

@@ -134,14 +134,13 @@ class CheckInput:
 
     @cached_property
     def hold_limits(self) -> tuple[HoldLimit, ...]:
-        """Limits of what holds a wall that bends; none of what has no strength, or one that is looked at elsewhere."""
+        """Limits of what holds a wall that bends; none of what has no strength."""
         masonry = self.wall.in_si
         if not self.wall.bends:
             return ()
         if masonry.arch is not None:
             return (limit_of_ends(*self._moving["outward"]),) if masonry.arch.thrust > MIN_THRUST else ()
-        strength = masonry.declared.strength
-        if strength is None or math.isinf(strength):
+        if masonry.declared.strength is None:
             return ()
         return tuple(
             limit for side, (wall, moving) in self._moving.items() for limit in limits_of_bending(wall, moving, side)

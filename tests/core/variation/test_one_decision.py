@@ -241,7 +241,7 @@ def test_that_the_worst_of_many_walls_are_the_worst_outcomes():
     tally = Tally()
     for k, (code, zeta) in enumerate(rows):
         row = dict.fromkeys(NAMED, None) | {"verdict": code, "zeta_e": zeta, "zeta_target": 1.0, "wall": k}
-        row |= {"hinge_m": 0.0, "decides": True, "analyses": 1, "runs_without_q": 0}
+        row |= {"hinge_m": 0.0, "decides": True, "analyses": 1, "runs_without_q": 0, "warnings": None}
         tally.add({name: [value] for name, value in row.items()})
     worst = [row["verdict"] for row in tally.worst]
     assert worst == ["not_verified", "at_limit", "undetermined", "verified", "verified"]
