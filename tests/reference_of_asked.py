@@ -2,7 +2,7 @@
 `.venv/bin/python -m tests.reference_of_asked` writes them there."""
 
 from core.case.asked import ASKED, DEMAND, HOLD, NOT_ASKED, WALL
-from core.case.document import KINDS_THAT_SHOW
+from core.case.document import kinds_that_show
 from tests.conftest import ROOT
 
 PAGE = ROOT / "resources" / "docs" / "verdict.md"
@@ -15,7 +15,7 @@ def tables() -> str:
     lines = ["| looked at | value | clause | document | kinds |", "|---|---|---|---|---|"]
     for code, row in ASKED.items():
         keys = ", ".join(f"`{key}`" for key in row.keys)
-        kinds = ", ".join(KINDS_THAT_SHOW[row.shown_by]) if row.section else "–"
+        kinds = ", ".join(kinds_that_show(row.section, row.shown_by)) if row.section else "–"
         place = f"`{PLACES[row.section]}`" if row.section in (WALL, DEMAND) else PLACES[row.section]
         lines.append(f"| `{code}` | {keys} | {row.clause} | {place} | {kinds} |")
     lines += ["", "| moved, and never in the way | why |", "|---|---|"]

@@ -51,7 +51,7 @@ def link(target: str, words: str) -> str:
 def _target(one: Sentence) -> str | None:
     """Where a sentence leads."""
     if one.code == "give_reason":
-        return f"reason:{dict(one.values)['keys'][0]}"
+        return f"reason:{dict(one.values)['key']}"
     if one.code in PLACE_OF_CODE or one.code not in ASKED:
         return PLACE_OF_CODE.get(one.code)
     row = ASKED[one.code]

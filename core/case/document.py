@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from core.case import asked
 from core.case.asked import DEMAND, WALL, evidence_keys
 from core.case.keys import choice_key, text_key
-from core.codes.verdict import SHOWS_PRESENCE, SHOWS_STRENGTH
 from core.errors import InputError
 from core.text.sentence import Sentence, sentence
 
-PRESENCE, STRENGTH = SHOWS_PRESENCE, SHOWS_STRENGTH
+PRESENCE = "drawing", "opening", "survey", "photograph"
+STRENGTH = "test", "calculation", "dimensioned_drawing"
 STATED = "study", "act"
-"""Kinds of documents that state what is asked: a study or a publication, an act of the client or of an authority."""
+"""Kinds of documents that show that a thing is there, those that show what it stands too, and those that state what is
+asked: a study or a publication, an act of the client or of an authority."""
 
 KINDS_THAT_SHOW = {
     asked.SEEN: (*PRESENCE, *STRENGTH, "study"),
@@ -77,6 +78,17 @@ class DemandEvidence(Document):
 AnyEvidence = WallEvidence | DemandEvidence
 
 
+def kinds_that_show(section: str, what: str) -> tuple[str, ...]:
+    """Kinds of documents that answer for an input: those of a hold are kinds of it. section, what : of its row"""
+    own = (*PRESENCE, *STRENGTH)
+    return tuple(kind for kind in KINDS_THAT_SHOW[what] if section != asked.HOLD or kind in own)
+
+
+def is_named(reference: str) -> bool:
+    """Whether a reference names a document: it has a letter or a number."""
+    return any(letter.isalnum() for letter in reference)
+
+
 def document_of(evidence: Iterable[AnyEvidence], key: str) -> Document | None:
     """The document that shows the value of a key, None where none is given."""
     return next((entry for entry in evidence if entry.of == key), None)
@@ -94,5 +106,5 @@ def check_evidence(evidence: Iterable[AnyEvidence], here) -> None:
             raise InputError(
                 "evidence_kind", place=here, key="kind", found=entry.kind, name=entry.of, kinds=entry.kinds
             )
-        if not entry.reference.strip():
+        if not is_named(entry.reference):
             raise InputError("evidence_reference", place=here, key="reference", name=entry.of)

@@ -253,7 +253,8 @@ def _counts_anyway(part: WallPart, top: float) -> bool:
 
 def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
     """A stretch of a wall as it bends inward: its mirror as it bends outward."""
-    return replace(part, hinge=low, wall=mirror_inward(cut_span(part.wall, low, high)), top=high, inward=True)
+    stretch = cut_span(part.wall, low, high, foot_stays=True)  # a floor stands behind the foot, or what it is built on
+    return replace(part, hinge=low, wall=mirror_inward(stretch), top=high, inward=True)
 
 
 def highest_hold(wall: Wall, building: Building | None) -> float | None:

@@ -6,7 +6,7 @@ from typing import Any
 
 from core.case.asked import DEMAND, shown_by
 from core.case.directions import LONGEST
-from core.case.document import KINDS_THAT_SHOW, PRESENCE, STATED, STRENGTH
+from core.case.document import KINDS_THAT_SHOW, PRESENCE, STATED, STRENGTH, is_named
 from core.case.held_stretches import find_held_stretches, stands_outward
 from core.case.hold import HOLD_KINDS, TIE, Hold, hold_kind
 from core.case.site import Building
@@ -58,7 +58,7 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
         raise InputError("hold_needs_spacing", place=here, key=of_ends[0], needed=Key("spacing_m"))
     if hold.to_m is not None and hold.to_m <= (hold.from_m or 0.0):
         raise InputError("hold_reversed", place=here, key="to_m", found=hold.to_m, least=hold.from_m or 0.0)
-    if hold.shows_strength and hold.evidence is not None and not hold.evidence.reference.strip():
+    if hold.shows_strength and hold.evidence is not None and not is_named(hold.evidence.reference):
         raise InputError("document_reference", place=here, key="reference", kind=hold.evidence.kind)
     if hold.in_kn_m is not None and (hold.out_kn_m is None or not hold.has_height or hold.is_bar):
         raise InputError("hold_inward", place=here, key="in_kn_m", out_kn_m=Key("out_kn_m"))

@@ -13,6 +13,12 @@ MOST_FLOOR = 12.0
 MOST_WEIGHT = 150.0
 """Load on a metre of wall [kN/m]: ten metres of span, half of them on the wall, of such a floor and three storeys."""
 
+MOST_THICKNESS, LEAST_SLENDERNESS = 2.5, 1.5
+"""Thickness [m] above which, and H/t below which, a number is asked about that may be in another unit."""
+
+NEAR_FACE = 0.9
+"""Share of the thickness from the outer face from which on a weight stands at the inner one [-]."""
+
 MOST_LEAF = 0.75
 """Thickness of the outer leaf over that of its wall [-]: an inner one stands behind it."""
 
@@ -28,6 +34,11 @@ def plausibility_questions(wall: Wall, building: Building | None, others: tuple[
     for load in wall.load:
         if load.is_weight and (load.kn_m or 0.0) > MOST_WEIGHT:
             yield sentence("reason", "odd_load", load=Number(load.kn_m, ".4g"), most=MOST_WEIGHT)
+        if load.is_weight and wall.thickness and (load.d_m or 0.0) > NEAR_FACE * wall.thickness:
+            yield sentence("reason", "odd_place", d=Number(load.d_m, ".3g"), thickness=Number(wall.thickness, ".3g"))
+    height, thickness = wall.height_m, wall.thickness
+    if thickness and (thickness > MOST_THICKNESS or (height and height < LEAST_SLENDERNESS * thickness)):
+        yield sentence("reason", "odd_sizes", height=Number(height, ".3g"), thickness=Number(thickness, ".3g"))
     if wall.leaf is not None and wall.thickness and wall.leaf.thickness_m > MOST_LEAF * wall.thickness:
         cm = Number(100.0 * wall.leaf.thickness_m, ".3g"), Number(100.0 * wall.thickness, ".3g")
         yield sentence("reason", "odd_leaf", leaf=cm[0], whole=cm[1])

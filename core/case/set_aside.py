@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from core.case.document import Document
+from core.case.document import Document, is_named
 from core.case.keys import choice_key, key, number_key
 from core.errors import InputError
 
@@ -44,7 +44,7 @@ def check_set_aside(entry: SetAside, height: float | None, here) -> None:
     """
     if entry.evidence is None:
         raise InputError("set_aside_evidence", place=here, key="evidence")
-    if not entry.evidence.reference.strip():
+    if not is_named(entry.evidence.reference):
         raise InputError("set_aside_reference", place=here, key="reference")
     most = math.inf if height is None else height + NEAR
     for name, found, least in (("from_m", entry.from_m, 0.0), ("to_m", entry.to_m, entry.from_m or 0.0)):

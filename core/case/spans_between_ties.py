@@ -158,11 +158,15 @@ def named_between(name: str, low: float, high: float) -> str:
     return f"{name} ({low:.4g}–{high:.4g} m)"
 
 
-def cut_span(wall: Wall, low: float, high: float) -> Wall:
+def cut_span(wall: Wall, low: float, high: float, foot_stays: bool = False) -> Wall:
     """The stretch of a wall between two heights above its base [m], held at its top by the tie there. What is above
-    stands on it, a rectangle at its middle, another wall where its centroid is: its mass is held by the tie."""
+    stands on it, a rectangle at its middle, another wall where its centroid is: its mass is held by the tie.
+
+    foot_stays : the joint at its foot is taken to hold; else it is compared, but at a tie
+    """
     assert wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     cut, outer, held = _cut(wall, low, high)
+    heights = {tie.h_m for tie in wall.ties}
     thickness, (weight, depth, _) = require_value(cut["thickness_m"]), weight_above(wall, high)
 
     def inside(load: Load) -> float:
@@ -202,7 +206,7 @@ def cut_span(wall: Wall, low: float, high: float) -> Wall:
         unloaded_confirmed=wall.unloaded_confirmed or not loads,
         # what the ties stand is looked at where the stretch is chosen
         hold=(
-            *(ShareOfHold(TIE, h_m=0.0, out_kn_m=math.inf) for tie in wall.ties if tie.h_m == low),
+            *([ShareOfHold(TIE, h_m=0.0, out_kn_m=math.inf)] if foot_stays or low in heights else []),
             ShareOfHold(TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),
         ),
     )

@@ -21,10 +21,6 @@ from core.codes.vertical_bending import bending, uplift_multiplier
 from core.text.sentence import FILE_NAMES, FormNames, Key, Number, Sentence, sentence
 from core.units import G
 
-SHOWS_PRESENCE = "drawing", "opening", "survey", "photograph"
-SHOWS_STRENGTH = "test", "calculation", "dimensioned_drawing"
-"""Kinds of documents that show that a thing is there, and those that show what it stands too."""
-
 TO_MEND = {
     "no_restraint": Sentence("reason", "to_no_restraint", (("key", Key("hold")),)),
     "no_top_restraint": Sentence(
@@ -241,11 +237,9 @@ def _to_do(code: str, blocking: list[Sentence], assumed: tuple[Assumption, ...],
     if code == "indicative":
         for row in assumed:
             if row.words in blocking and row.source == DECLARED and row.key in (RESTRAINT, ARCH):
-                stands = row.key == ARCH or held_at_top
-                kinds = tuple(Key(f"kind={kind}") for kind in (SHOWS_STRENGTH if stands else SHOWS_PRESENCE))
-                shows = "to_evidence_strength" if stands else "to_evidence"
-                actions.append(reason(shows, key=Key("evidence"), hold=row.value, kinds=kinds))
-        actions += _documents_to_give([row for row in assumed if row.words in blocking and row.key not in HELD])
+                shows = "to_evidence_strength" if row.key == ARCH or held_at_top else "to_evidence"
+                actions.append(reason(shows, hold=row.value, evidence=row.asks))
+        actions += _documents_to_give(row for row in assumed if row.words in blocking and row.key not in HELD)
         actions += mends
         if "alone" in codes:
             actions.append(reason("justify"))
@@ -258,12 +252,10 @@ HELD = ALL_TOGETHER_KEY, RESTRAINT, ARCH
 """Keys of rows that no document of a value answers."""
 
 
-def _documents_to_give(rows: list[Assumption]) -> list[Sentence]:
-    """What documents are asked for, those of one table and of the same kinds together."""
-    keys: dict[Sentence | str, dict[str, None]] = {}
-    for row in rows:
-        keys.setdefault(row.asks or Key("evidence"), {})[row.key] = None
-    return [reason("give_reason", keys=tuple(map(Key, named)), evidence=asks) for asks, named in keys.items()]
+def _documents_to_give(rows: Iterable[Assumption]) -> list[Sentence]:
+    """What documents are asked for, one a key."""
+    asks = {row.key: row.asks or Key("evidence") for row in rows}
+    return [reason("give_reason", key=Key(key), evidence=evidence) for key, evidence in asks.items()]
 
 
 def _activated(seen: Evidence, threshold: float) -> bool:

@@ -96,7 +96,7 @@ def _carried_by(
     turn it, and permitted values."""
     rests_on = [restraint_phrase(wall.declared)] if wall.declared.restraint else []
     rests_on += [sentence("added", "shown_key", key=Key(row.key), document=row.reason) for row in shown]
-    if code in ("verified", "verified_refined") and rests_on:
+    if code in ("verified", "verified_refined", "not_activated") and rests_on:
         tail = sentence("added", "rests_on", tail=tail, things=tuple(rests_on))
     if code in ("verified", "verified_refined", "indicative", "not_activated") and permitted:
         rows = tuple(_turned_by(row, target) for row in permitted)

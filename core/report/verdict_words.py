@@ -18,8 +18,6 @@ def names_in(language: str) -> FormNames:
         kind, _, name = code.partition("_")
         if kind == "section":
             captions[f"[{name}]"] = word(code, language).lower()
-        if kind == "choice":
-            captions[f"kind={name}"] = word(code, language)
     return FormNames(captions)
 
 

@@ -1,6 +1,5 @@
 """A wall about one hinge, by one mechanism, under one demand: all that its checks follow from."""
 
-import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property

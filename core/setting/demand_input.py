@@ -14,7 +14,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.coordinates import parse_coordinates
 from core.case.hazard_table import read_hazard
 from core.case.number import parse_number
-from core.case.schema import Case, Generate
+from core.case.schema import NO_HISTORIES, Case, Generate
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import SeismicDemand
@@ -30,7 +30,7 @@ from core.ground.ground_motion import GroundMotion
 from core.ground.scattered import TIME_STEP, scattered_set
 from core.quantities import foreign_unit
 from core.regular_file import TooLarge, read_regular
-from core.text.sentence import Key
+from core.text.sentence import Key, Sentence, notice
 from core.units import CM, G
 
 MAX_SPECTRUM_BYTES = 1_000_000
@@ -239,6 +239,17 @@ def check_coordinates(asked: Demand) -> None:
         if typed is not None and typed < (1.0 - AT_COORDINATES) * least_value:
             values = {"given": typed, "stated": least_value, "years": years, "state": asked.limit_state}
             raise InputError("elsewhere", key=key, place=(section("[demand]"),), section=Key("[site]"), **values)
+
+
+def demand_notices(case: Case) -> list[Sentence]:
+    """Notices on what of a demand was not compared, and on histories that are made though none were asked for."""
+    notices: list[Sentence] = []
+    where = case.demand.coordinates.strip() if case.demand else ""
+    if where and _find_hazard(*parse_coordinates(where)) is None:
+        notices.append(notice("coordinates_outside"))
+    if case.analysis.histories == NO_HISTORIES and (case.record or case.generate or case.select):
+        notices.append(notice("histories_made"))
+    return notices
 
 
 def _find_hazard(latitude: float, longitude: float) -> SiteHazard | None:

@@ -22,6 +22,7 @@ from core.rocking.analysis_count import MADE
 from core.rocking.history import integrate_history, scan_multipliers
 from core.rocking.methods import AUTO, METHODS, resolve_auto
 from core.setting.check_input import make_rocking_model
+from core.setting.demand_input import demand_notices
 from core.setting.plan import Plan, make_plan, read_inputs, refuse_large, select_case_records
 from core.setting.record_selection import Selection
 from core.study import precompile
@@ -159,6 +160,7 @@ def _demand(plan: Plan, base_dir: Path) -> tuple[SeismicDemand | None, dict[str,
         return None, {}
     demand, by_state = complete_with_records(plan.demand, plan.motions), limit_state_demands(plan.case, base_dir)
     of_place = site_notices(plan.case.site, demand.limit_state) if plan.case.site else []
+    of_place += demand_notices(plan.case)
     return replace(demand, warnings=(*demand.warnings, *unused_hazard_notices(demand, by_state), *of_place)), by_state
 
 

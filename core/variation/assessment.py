@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from core.case.document import PRESENCE, STRENGTH
 from core.case.load_rules import carries
 from core.case.wall import Wall
 from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
@@ -211,7 +212,8 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     zeta = free.zeta if free else None
     alike = not wall.bends and wall.in_si.rocks_both_ways and wall.in_si.sides_are_alike
     stays = free is None and evaluation.outcome == "not_activated" and alike
-    holds = free is not None and free.satisfied and not (hold and hold.evidence is None and _is_worse(free, evaluation))
+    unshown = hold is not None and not wall.bends and hold.is_contact and hold.evidence is None
+    holds = free is not None and free.satisfied and not (unshown and _is_worse(free, evaluation))
     return Assumption(
         RESTRAINT,
         sentence("reason", code, zeta=Number(zeta), restraint=restraint_phrase(wall.in_si.declared)),
@@ -222,6 +224,7 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
         free.outcome if free else "undetermined",
         turns=not (stays or holds),
         reason=sentence("word", f"evidence_{shown.kind}") if shown else "",
+        asks=sentence("reason", "in_hold", kinds=" | ".join(STRENGTH if wall.bends else (*PRESENCE, *STRENGTH))),
     )
 
 
@@ -269,6 +272,7 @@ def _of_the_arch(evaluation: Evaluation, arch: Arch) -> Assumption:
         "not_verified",
         turns=True,
         reason=sentence("word", f"evidence_{require_value(hold.evidence).kind}") if hold.shows_strength else "",
+        asks=sentence("reason", "in_hold", kinds=" | ".join(STRENGTH)),
     )
 
 

@@ -243,6 +243,8 @@ def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: Dy
     limit = min(limits, key=lambda limit: limit.push)
     zeta = limit.share(alpha)
     reaction, stands = 1e-3 * scene.find_reaction(limit, alpha), 1e-3 * scene.find_strength(limit, alpha)
+    if zeta < 1.0:  # it was asked for all that it stands at rest, before the mechanism that the demand makes move
+        reaction = max(reaction, stands)
     return Check("hold", HOLD_CLAUSE, "kN/m", stands, reaction, zeta, zeta >= demand.zeta_target - ZETA_ROUNDING)
 
 

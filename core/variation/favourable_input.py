@@ -5,13 +5,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from core.case.asked import ASKED, EVIDENCE_TABLES
-from core.case.document import KINDS_THAT_SHOW, AnyEvidence, Document, document_of
+from core.case.asked import ASKED, EVIDENCE_TABLES, HOLD
+from core.case.document import AnyEvidence, Document, document_of, kinds_that_show
 from core.codes.assumption import GIVEN, DisplayValue
 from core.codes.kinematic import Check
 from core.known import require_value
 from core.setting.check_input import CheckInput
-from core.text.sentence import Key, Number, Sentence, sentence
+from core.text.sentence import Number, Sentence, sentence
 from core.variation.evaluate import Evaluation
 
 AlternativeEvaluations = list[Evaluation | None]
@@ -77,8 +77,10 @@ class FavourableInput:
         row = ASKED[self.code]
         if not row.section:
             return ""
-        kinds = tuple(Key(f"kind={kind}") for kind in KINDS_THAT_SHOW[row.shown_by])
-        return sentence("reason", "in_table", table=Key(EVIDENCE_TABLES[row.section]), kinds=kinds)
+        kinds = " | ".join(kinds_that_show(row.section, row.shown_by))
+        if row.section == HOLD:
+            return sentence("reason", "in_hold", kinds=kinds)
+        return sentence("reason", "in_table", table=EVIDENCE_TABLES[row.section], key=self.key, kinds=kinds)
 
     def phrase(self, zetas: list[float | None], check: Check) -> Sentence:
         """Its sentence. zetas : at each end; check : they are of"""

@@ -63,7 +63,7 @@ and a wall that stands is seldom made thicker."""
 NEAR_TOP, LOWEST_TIE = 0.95, 0.6
 """Height of a tie in a wall of which no floor is known, and lowest height of one alone, of the wall [-]."""
 
-SHOWN = Document("calculation", "-")
+SHOWN = Document("calculation", "1")
 """What a floor that is proposed is held by: its connection is to be designed."""
 
 PROPOSED = Hold(TIE, bar_length_m=BAR_LENGTH, elongation_m=STRAIN * BAR_LENGTH, evidence=SHOWN)

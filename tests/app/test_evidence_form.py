@@ -122,5 +122,5 @@ def test_that_every_document_the_verdict_asks_for_has_its_place(wall, demand, wa
         table["demand"]["soil_factor"] = 1.2
     case = parse_case(table)
     verdict = run(case, base_dir=ROOT).walls[0].assessment.verdict
-    keys = {str(key) for one in verdict.to_do if one.code == "give_reason" for key in dict(one.values)["keys"]}
+    keys = {str(dict(one.values)["key"]) for one in verdict.to_do if one.code == "give_reason"}
     assert keys == {wanted} and keys <= {*evidence_keys(asked.WALL), *evidence_keys(asked.DEMAND)}

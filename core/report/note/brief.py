@@ -129,7 +129,7 @@ def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) ->
         code = _governing(result, verdict).required_assessment.verdict.code
         found = [result.walls[k].required_assessment.verdict for k in verdict.results]
         for sentence in dict.fromkeys(line for each in found if each.code == code for line in each.to_do):
-            names.setdefault(sentence.text(words.language, names_in(words.language)), []).append(verdict.title)
+            names.setdefault(sentence.text(words.language), []).append(verdict.title)  # with the keys of a file
     if not names:
         return []
     rows = [(", ".join(walls), line) for line, walls in names.items()]

@@ -2,6 +2,7 @@
 
 import math
 
+from core.case.held_stretches import SAME_HEIGHT
 from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.wall import Wall
@@ -115,20 +116,29 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
         ]
         for load in asked.load
     ]
-    rows += [_row_of_hold(hold, asked, words) for hold in asked.hold if hold.is_tie or hold.out_kn_m is not None]
+    holds = [hold for hold in asked.hold if hold.is_tie or hold.out_kn_m is not None]
+    rows += [_row_of_hold(_as_given(hold, wall), hold.h_m, asked, words) for hold in holds]
     heads = [words.say("Loads and holds"), "[kN/m]", "h [m]", "d [m]", words.say("mass, or shown")]
     return [Table(heads, rows, (2, 1, 1, 1, 2))] if rows else []
 
 
-def _row_of_hold(hold: Hold, asked: Wall, words: Words) -> list[str]:
-    """What holds a wall, what it stands outward, and the document that shows it."""
+def _as_given(hold: Hold, wall: WallResult) -> Hold:
+    """A hold of a stretch; the tie of the wall where its strength is compared elsewhere."""
+    if hold.out_kn_m is None or not math.isinf(hold.out_kn_m):
+        return hold
+    height = wall.part.hinge + (hold.h_m or 0.0)
+    return next((tie for tie in wall.part.body.ties if abs((tie.h_m or 0.0) - height) < SAME_HEIGHT), hold)
+
+
+def _row_of_hold(hold: Hold, height: float | None, asked: Wall, words: Words) -> list[str]:
+    """What holds a wall, what it stands outward, and the document that shows it. height : above its base [m]"""
     stands = 1e-3 * hold.tie(asked.length_m).bar.strength if hold.is_tie else hold.out_kn_m
     shown = hold.evidence
     document = (words.word(f"evidence_{shown.kind}"), shown.reference, shown.date, shown.note) if shown else ()
     return [
         hold.name or words.word(f"choice_{hold.kind}"),
         "–" if stands is None or math.isinf(stands) else words.number(stands, ".2f"),
-        words.number(hold.h_m, ".2f"),
+        words.number(height, ".2f"),
         "–",
         ", ".join(filter(None, document)) or "–",
     ]

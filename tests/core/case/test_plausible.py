@@ -29,6 +29,8 @@ def test_that_an_odd_floor_load_leaf_and_a_lean_that_goes_are_asked_about():
     assert questions([WALL | {"load": [load]}], BUILDING | {"floors": [FLOOR]}) == []
     assert questions([WALL], BUILDING | {"floors": [FLOOR | {"g_kn_m2": 30.0}]}) == ["odd_floor"]
     assert questions([WALL | {"load": [load | {"kn_m": 300.0}]}]) == ["odd_load"]
+    assert questions([WALL | {"load": [load | {"d_m": 0.64}]}]) == ["odd_place"]
+    assert questions([WALL | {"thickness_m": 6.5}]) == questions([WALL | {"height_m": 0.68}]) == ["odd_sizes"]
     assert questions([LEAFED | {"leaf": {"thickness_m": 0.64}}]) == ["odd_leaf"]
     assert questions([LEAFED | {"leaf": {"thickness_m": 0.32}}]) == []
     leaning = WALL | {"variant": "stato di fatto", "out_of_plumb_m": 0.05, "length_m": 4.0}

@@ -262,3 +262,29 @@ def test_that_what_a_hold_stands_inward_is_compared_with_what_the_wall_presses_o
         with pytest.raises(InputError) as refused:
             held_by(**({"out_kn_m": 40.0, "in_kn_m": 5.0} | other))
         assert refused.value.code in ("hold_inward", "hold_key")
+
+
+@pytest.mark.shows("held.reaction")
+def test_that_a_tie_holds_no_base_that_an_anchor_does_not():
+    """Of the same force at the same height: the joint at the base slides at the same share of the demand."""
+    contact = {"kind": "contact", "to_m": 6.0, "evidence": {"kind": "survey", "reference": "tav. 4"}}
+    shown = {"h_m": 6.0, "out_kn_m": 30.0, "evidence": {"kind": "test", "reference": "PT-2"}}
+    wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "length_m": 5.0, "unit_weight_kn_m3": 18.0}
+    wall |= {"base_z_m": 0.0, "unloaded_confirmed": True}
+    spectrum = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.35, "soil": "B", "topography": "T1"}
+    shares = []
+    for hold in ({"kind": "anchor"}, {"kind": "tie", "bar_length_m": 8.0, "elongation_m": 0.4}):
+        case = parse_case(
+            {
+                "wall": [wall | {"hold": [contact, shown | hold]}],
+                "demand": {"ag_g": 0.18, "spectrum": spectrum},
+                "building": {"height_m": 6.0, "storeys": 2},
+                "analysis": {"histories": False},
+            }
+        )
+        (found,) = [one.assessment for one in run(case, base_dir=ROOT).walls if one.part.top is not None]
+        (reaction, *_) = found.reactions
+        assert reaction.hold == "base" and found.checks[0].name == "hold" and not found.checks[0].passed
+        assert found.checks[0].demand >= 0.99 * found.checks[0].capacity  # the largest up to the demand
+        shares.append(reaction.gives_way)
+    assert shares[0] == pytest.approx(shares[1], rel=1e-12) and shares[0] < 1.0

@@ -1,14 +1,17 @@
 """The checks of one wall at the demand with what limits them: ties, restraint, floor, records, a thicker wall."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from core.case.rules import parse_case
 from core.codes.dynamic_check import AlternativeConfidence
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
 from core.setting.floors import Floor
+from core.study.run import run
 from core.text.sentence import notice
 from core.variation import assessment
 from core.variation.assessment import assess
@@ -412,3 +415,26 @@ def test_that_a_wall_that_fails_but_passes_with_q_2_is_asked_whether_that_is_owe
     found = assess(scene)
     assert found.checks[1].passed and found.verdict.code == "q2_unsafe" and len(runs) == 1
     assert not found.verdict.assumptions
+
+
+@pytest.mark.shows("verdict.reason")
+def test_that_contact_nobody_shows_is_asked_for_where_the_wall_without_it_is_worse():
+    """Without its contact the wall has another zeta: nothing is called verified on a contact that may not be there."""
+    wall = {"name": "w", "mechanism": "one_sided", "height_m": 5.0, "thickness_m": 0.6, "unit_weight_kn_m3": 18.0}
+    wall |= {"base_z_m": 0.0, "unloaded_confirmed": True}
+    case = {
+        "demand": {"ag_g": 0.08, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}},
+        "generate": {"count": 7, "seed": 1},
+    }
+    outcomes = {}
+    for shown in (True, False):
+        hold = {"kind": "contact", "to_m": 5.0} | ({"evidence": {"kind": "survey"}} if shown else {})
+        found = run(parse_case(case | {"wall": [wall | {"hold": [hold]}]}), base_dir=Path()).walls[0].assessment
+        outcomes[shown] = found
+    (row,) = [row for row in outcomes[True].verdict.assumptions if row.key == "hold"] or [None]
+    bound = outcomes[True].verdict.lower_bound
+    assert bound is not None and round(bound, 2) < round(outcomes[True].verdict.zeta_e, 2)
+    assert outcomes[True].verdict.code in ("verified", "verified_refined")
+    assert outcomes[False].verdict.code == "indicative" and row is None
+    (action,) = [one for one in outcomes[False].verdict.to_do if one.code == "to_evidence"]
+    assert "[[wall.hold]]: kind = drawing | opening" in action.text("en")
