@@ -239,6 +239,8 @@ def measure_kinds(setting: WallContext, sought: Hold | None = None) -> Iterator[
             yield MeasureKind("measure_hold", lambda force: hold_floors(wall, force, floors), *forces, floors)
         if len(floors) > 1:
             yield MeasureKind("measure_ties", lambda force: add_ties(wall, force, floors), *forces, floors)
+    if any(hold.spans for hold in wall.hold):
+        yield MeasureKind("measure_ends", lambda force: hold_ends(wall, force), *forces)
     if any(load.is_thrust and (load.kn_m or 0.0) > 0.0 for load in wall.load):
         yield MeasureKind("measure_thrust", lambda share: scale_thrusts(wall, share), 0.95, 0.05, 0.05)
     if height is not None and wall.kinematics.both_ways and not wall.has_shape:
@@ -278,6 +280,16 @@ def hold_floors(wall: Wall, force: float, heights: tuple[float, ...]) -> Wall:
     others = tuple(hold for hold in wall.hold if hold.h_m not in heights or hold.is_bar)
     held = tuple(Hold("floor", h_m=height, out_kn_m=force, evidence=SHOWN) for height in heights)
     return replace(wall, hold=(*others, *held))
+
+
+def hold_ends(wall: Wall, force: float) -> Wall:
+    """The wall with its ends between transverse walls held across, each to stand a force more than it does by friction
+    [kN/m]."""
+    held = (
+        replace(hold, out_kn_m=(hold.out_kn_m or 0.0) + force, evidence=SHOWN) if hold.spans else hold
+        for hold in wall.hold
+    )
+    return replace(wall, hold=tuple(held))
 
 
 def scale_thrusts(wall: Wall, share: float) -> Wall:

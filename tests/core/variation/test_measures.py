@@ -26,6 +26,15 @@ FLOOR = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.3, "mass": "none"}
 FACADE |= {"load": [FLOOR | {"h_m": 3.0}, FLOOR | {"kn_m": 6.0, "h_m": 5.9}], "hinge_heights": "base"}
 PARAPET = {"name": "p", "height_m": 1.5, "thickness_m": 0.3, "base_z_m": 0.0, "unit_weight_kn_m3": 18.0}
 PARAPET |= {"unloaded_confirmed": True}
+SPANS = {"name": "s", "height_m": 6.0, "thickness_m": 0.6, "base_z_m": 0.0, "unit_weight_kn_m3": 18.0, "length_m": 4.5}
+SPANS |= {
+    "compressive_strength_mpa": 2.6,
+    "masonry": "solid_brick",
+    "unloaded_confirmed": True,
+    "hinge_heights": "base",
+}
+ENDS = {"spacing_m": 4.5, "shoulder_length_m": 4.5, "shoulder_thickness_m": 0.6}
+SPANS |= {"hold": behind("calculation", kind="cross_walls", **ENDS)}
 VAULT = FACADE | {"name": "v", "load": [{"kind": "thrust", "kn_m": 1.0, "h_m": 5.0}]}
 
 
@@ -46,7 +55,7 @@ def sought(monkeypatch):
 
 
 @pytest.mark.shows("verdict.measures")
-@pytest.mark.parametrize("wall, ag", [(FACADE, 0.2), (PARAPET, 0.25), (VAULT, 0.1)])
+@pytest.mark.parametrize("wall, ag", [(FACADE, 0.2), (PARAPET, 0.25), (VAULT, 0.1), (SPANS, 0.12)])
 def test_that_each_measure_makes_the_wall_pass_and_a_little_less_of_it_does_not(wall, ag):
     setting, seen = context_of(case_of(wall, ag)), set()
     assert not evaluate_wall(setting).sure
