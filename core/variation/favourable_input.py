@@ -77,7 +77,8 @@ class FavourableInput:
         row = ASKED[self.code]
         if not row.section:
             return ""
-        kinds = " | ".join(kinds_that_show(row.section, row.shown_by))
+        every = kinds_that_show(row.section, row.shown_by)
+        kinds = " | ".join([*every[:MOST_KINDS], *(["…"] if len(every) > MOST_KINDS else [])])
         if row.section == HOLD:
             return sentence("reason", "in_hold", kinds=kinds)
         return sentence("reason", "in_table", table=EVIDENCE_TABLES[row.section], key=self.key, kinds=kinds)
@@ -90,6 +91,10 @@ class FavourableInput:
         value = self.ends[k].value
         end = Number(value, ".2g") if isinstance(value, float) else value
         return sentence("reason", self.code, zeta=zeta_phrase(zetas[k]), end=end, check=check_phrase(check))
+
+
+MOST_KINDS = 4
+"""Kinds of documents that a sentence names; verdict.md and the error of another one name all."""
 
 
 def zeta_for_sorting(zeta: float | None) -> float:

@@ -44,6 +44,9 @@ FIGURES = 3
 ONLY_IN_FULL = ("supports", "top_force", "ties_at_sld", "stiff_building", "no_period", "arch_parts", "other_state")
 """Limits that change no outcome, or stand in the table of all walls; all others stand beside an outcome that passes."""
 
+OF_CLAUSES = ("code_below_records", "ties_displacement")
+"""Limits of the checks of the clauses, where histories decide."""
+
 OF_WHAT_PASSES = ("weaker_fails", "code_below_records", "hinge_highest")
 """Limits that say nothing more of a wall that fails."""
 
@@ -178,6 +181,7 @@ def _limits(result: StudyResult, wall: WallResult, words: Words) -> list[str]:
     verdict, tabled = assessment.verdict, assumption_table.tabled(wall, words.language)
     extra = [limit for each in result.verdicts if _governing(result, each) is wall for limit in each.extra]
     passed_over = (*ONLY_IN_FULL, *(OF_WHAT_PASSES if OUTCOMES[verdict.code].judgement == FAILS else ()))
+    passed_over += OF_CLAUSES if verdict.governing == "dynamic" else ()
     chosen = [limit for limit in (*verdict.limits, *extra) if limit.code not in passed_over]
     lines = [
         f"{word('limits', words.language)}: {limit.text(words.language, names_in(words.language))}" for limit in chosen
