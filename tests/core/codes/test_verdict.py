@@ -179,7 +179,7 @@ def test_that_a_weaker_motion_that_fails_is_said_also_above_the_target():
         found = said(zeta, q2=1.1, check={"holds_at_target": True, "zeta_first": 0.9 * zeta})
         kind = found.limits if zeta < target else found.notes
         (words,) = [one for one in kind if one.code == "weaker_fails"]
-        assert f"{0.9 * zeta:.3f} times the demand" in words.text("en")
+        assert f"{0.9 * zeta:.3f} of the demand" in words.text("en")
         assert found.code == ("q2_unsafe" if zeta < target else "verified")
     assert "weaker_fails" not in codes(said(1.3, q2=1.1, check={"zeta_first": 1.3}).reasons)
 
