@@ -21,6 +21,15 @@ for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
 
 ROOT = Path(__file__).resolve().parents[1]
 
+FACADE = """[[wall]]
+name = "facade"
+height_m = 5.0
+thickness_m = 0.5
+mechanism = "two_sided"
+base_z_m = 0.0
+"""
+"""A wall as a case file has it."""
+
 STANDING = {"name": "w", "height_m": 30.0, "slenderness_deg": 11.0, "base_z_m": 0.0, "mechanism": "two_sided"}
 """A wall that motions of the example do not overturn."""
 

@@ -110,6 +110,11 @@ def run(
         finally:  # the lock is held until the results are in their places
             for book in books:
                 book.close()
+    return _tell_results(result, folder, stem, report, quiet)
+
+
+def _tell_results(result: StudyResult, folder: Path, stem: str, report: Path | None, quiet: bool) -> int:
+    """Say what a run found, and what in it has no number; returns the exit code. The parameters are those of `run`."""
     _warn(result)
     failed = _write_errors(result, folder / f"{stem}.error.log")
     if not quiet:
@@ -122,7 +127,9 @@ def run(
 
 
 def _write_errors(result: StudyResult, path: Path) -> bool:
-    """Write what went wrong in walls that have no number for it, and say which; whether there are any."""
+    """Write what went wrong in walls that have no number for it, and say which; whether there are any. The file of an
+    earlier run goes."""
+    path.unlink(missing_ok=True)
     failed = {wall.part.asked.title: wall.error for wall in result.walls if wall.error}
     if failed:
         path.write_text("".join(f"{title}\n{lines}\n" for title, lines in failed.items()), encoding="utf-8")

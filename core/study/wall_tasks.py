@@ -115,7 +115,7 @@ class _Wall:
             return (yield from self._results())
         except (InputError, Cancelled, OSError, MemoryError):  # of the user, of the machine: no wall is at fault
             raise
-        except Exception as error:
+        except Exception as error:  # the border of a wall: whatever is wrong in one must not end the others
             return self._failed(error)
 
     def _failed(self, error: Exception) -> WallOutcome:

@@ -10,22 +10,17 @@ import pytest
 
 from app.__main__ import main
 from core.report.differences import compare_workbooks
+from tests.conftest import FACADE
 
-CASE = """
+CASE = f"""
 title = "Forged"
-[[wall]]
-name = "facade"
-height_m = 5.0
-thickness_m = 0.5
-mechanism = "two_sided"
-base_z_m = 0.0
-unit_weight_kn_m3 = 18.0
+{FACADE}unit_weight_kn_m3 = 18.0
 [generate]
 count = 3
 seed = 1
 [demand]
 ag_g = 0.2
-spectrum = { code = "EN1998", type = 1, soil = "B" }
+spectrum = {{ code = "EN1998", type = 1, soil = "B" }}
 """
 
 SHEET, STYLES, BOOK, CHART = "xl/worksheets/sheet1.xml", "xl/styles.xml", "xl/workbook.xml", "xl/charts/chart1.xml"

@@ -10,28 +10,22 @@ import pytest
 
 from app.__main__ import main
 from core.case.note_file import files_within
-from tests.conftest import ROOT
+from tests.conftest import FACADE, ROOT
 
-CASE = """
+CASE = f"""
 title = "Verified"
 [report]
 language = "en"
 date = "2026-11-27"
 extent = "brief"
-[[wall]]
-name = "facade"
-height_m = 5.0
-thickness_m = 0.5
-mechanism = "two_sided"
-base_z_m = 0.0
-[[record]]
+{FACADE}[[record]]
 file = "motion.txt"
 [analysis]
 q_step = 0.05
 map_span = 1.2
 [demand]
 ag_g = 0.12
-spectrum = { code = "EN1998", type = 1, soil = "B" }
+spectrum = {{ code = "EN1998", type = 1, soil = "B" }}
 """
 
 
