@@ -79,6 +79,8 @@ def evaluate_assumptions(
     for k, found in enumerate(looked):
         if rows[k].turns:  # alone, or with others: by the check that decides
             rows[k] = replace(known(found).of_outcome, turns=True, turns_q=rows[k].turns_q)
+        elif rows[k].turns_q:
+            rows[k] = replace(known(found).row, turns_q=True)
     return tuple(rows)
 
 
@@ -121,9 +123,11 @@ def look_at(
     if not judged:
         return None
     ends = _evaluate_ends(evaluation, one, touched, cancelled, precision)
-    if not any(_turns(end, check) for end in ends for check in judged) and not _lowered_by_clauses(ends, evaluation):
+    lowered = _lowered_by_clauses(ends, evaluation)
+    turned = touched and any(_turns(end, decides) for end in ends)  # a check that fails as it is turns nothing
+    if not turned and not lowered:
         ends = [
-            _evaluate_at(evaluation, one.ends[k].change, touched, cancelled) if end and end.beyond else end
+            _evaluate_at(evaluation, one.ends[k].change, touched, cancelled) if _is_bound(end, decides) else end
             for k, end in enumerate(ends)
         ]
     turns = {check.name for check in judged if any(_turns(end, check) for end in ends)}
@@ -133,23 +137,33 @@ def look_at(
 
     def describe(shown: Check) -> Assumption:
         lowest = _lowest(ends, shown)
+        row = _row(one, shown, ends, lowest, _outcome(ends[lowest], evaluation, touched))
         return replace(
-            _row(one, shown, ends, lowest, _outcome(ends[lowest], evaluation, touched)),
+            row,
             turns=bool(decides.passed) and touched and decides.name in turns,
             turns_q=bool(q_check and q_check.passed) and "linear_q_code" in turns,
             check="" if shown.name == decides.name else shown.name,
+            raises=(touched and lowered) or row.raises,
         )
 
     row, lowest = describe(of_outcome), _lowest(ends, of_outcome)
     shown = describe(q_check) if q_check and row.turns_q and not row.turns else row
-    known = of_outcome.name != decides.name or _is_known(one, ends, lowest)
+    known = of_outcome.name != decides.name or _is_known(one, ends, lowest, decides)
     return LookedAt(one, shown, one.ends[lowest], row, known)
 
 
-def _is_known(favourable: FavourableInput, ends: AlternativeEvaluations, lowest: int) -> bool:
-    """Whether zeta at each end that is written is that of a search to its end."""
+def _is_known(favourable: FavourableInput, ends: AlternativeEvaluations, lowest: int, decides: Check) -> bool:
+    """Whether zeta at each end that is written is that of a search to its end. decides : as the wall is"""
     written = ends if favourable.each_written else [ends[lowest]]
-    return not any(end is not None and end.beyond for end in written)
+    return not any(_is_bound(end, decides) for end in written)
+
+
+def _is_bound(end: Evaluation | None, check: Check) -> bool:
+    """Whether zeta of a check at another end is at least what it says: histories were asked for no more, whichever
+    check decides there."""
+    check_there = _there(end, check) if end else None
+    by_histories = check_there is not None and check_there.name == "dynamic"
+    return by_histories and end is not None and end.dynamic is not None and end.dynamic.beyond
 
 
 def _row(
@@ -202,10 +216,9 @@ def _evaluate_ends(
 
 
 def _lowered_by_clauses(ends: AlternativeEvaluations, evaluation: Evaluation) -> bool:
-    """Whether the displacement check is lower at an end, so that an input that turns nothing raises zeta whatever the
-    histories say; of what moves histories alone these have to say it."""
-    searched = all(end is None or not end.beyond for end in ends)
-    return searched or min(map(_by_clause, ends)) < _by_clause(evaluation)
+    """Whether the displacement check is lower at an end, so that an input raises zeta whatever the histories say; of
+    what moves histories alone these have to say it."""
+    return min(map(_by_clause, ends)) < _by_clause(evaluation)
 
 
 def _by_clause(end: Evaluation | None) -> float:

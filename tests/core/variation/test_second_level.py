@@ -282,7 +282,8 @@ def test_that_what_a_failing_wall_rests_on_elsewhere_changes_none_of_its_outcome
             continue
         part, whole = found
         for skipping, looking in zip(part.verdicts, whole.verdicts, strict=True):
-            assert (skipping.zeta_least, skipping.results) == (looking.zeta_least, looking.results)
+            assert skipping.zeta_least == looking.zeta_least
+            assert sorted(map(str, skipping.results)) == sorted(map(str, looking.results))  # an outcome orders them
         for short, full in zip(part.walls, whole.walls, strict=True):
             own, other = short.assessment.verdict, full.assessment.verdict
             assert own.zeta_e == other.zeta_e
