@@ -50,7 +50,7 @@ def _hold_has(hold: Hold, key: str) -> bool:
         return hold.bar is None
     if key == "elongation_m" and not hold.is_bar:
         return hold.has_height and hold.out_kn_m is not None
-    if key == "in_kn_m":
+    if key in ("in_kn_m", "stiffness_kn_m2"):
         return hold.has_height and not hold.is_bar and hold.out_kn_m is not None
     if key == "out_kn_m":
         return hold.bar is None and (hold.has_height or hold.spacing_m is not None)

@@ -6,12 +6,14 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
+from core.case.above_hinge import cut_above_hinge
 from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS
 from core.known import require_value
 from core.units import G
+from core.wall.masonry import PartAbove
 from core.wall.solids import contact_at
 
 SAME_HEIGHT = 0.05
@@ -68,11 +70,13 @@ def _share_levels(
 ) -> list[HeldStretch]:
     """The stretches with what each hold has for them."""
     halves = [0.5 * _pushed(stretch) for stretch in stretches]
-    beside = [_beside(wall, *pair, last=pair == pairs[-1]) for pair in pairs]
+    above = _rocks_above(wall, *pairs[-1])
+    beside = [_beside(wall, *pair, last=pair == pairs[-1] and above is None) for pair in pairs]
     held = []
     for n, ((low, high), stretch) in enumerate(zip(pairs, stretches, strict=True)):
         from_below, from_above = halves[n] + beside[n], sum(halves[n + 1 : n + 2])
         top = _share(levels[n], high - low, from_below / (from_below + from_above), beside[n])
+        top = replace(top, rocking=above if n == len(pairs) - 1 else None)
         foot: tuple[ShareOfHold, ...] = ()
         if n > 0:
             under = halves[n - 1] + beside[n - 1]
@@ -136,8 +140,9 @@ def _pushed(stretch: Wall) -> float:
 def _share(level: Hold, height: float, share: float, beside: float = 0.0) -> ShareOfHold:
     inward = None if level.in_kn_m is None else share * level.in_kn_m
     stands = share * require_value(level.out_kn_m)
+    stiffness = None if level.stiffness_kn_m2 is None else share * level.stiffness_kn_m2
     shared = ShareOfHold(level.kind, level.name, h_m=height, out_kn_m=stands, in_kn_m=inward, beside_kn_m=beside)
-    return replace(shared, evidence=level.evidence)
+    return replace(shared, evidence=level.evidence, stiffness_kn_m2=stiffness)
 
 
 def _outward_holds(wall: Wall) -> Iterator[Hold]:
@@ -179,7 +184,8 @@ def _levels(wall: Wall) -> list[Hold]:
         if levels and require_value(hold.h_m) - require_value(levels[-1].h_m) <= SAME_HEIGHT:
             both = require_value(levels[-1].out_kn_m) + require_value(hold.out_kn_m)
             shown = levels[-1].evidence and hold.evidence
-            levels[-1] = replace(levels[-1], out_kn_m=both, evidence=shown)
+            stiff = [one.stiffness_kn_m2 for one in (levels[-1], hold) if one.stiffness_kn_m2 is not None]
+            levels[-1] = replace(levels[-1], out_kn_m=both, evidence=shown, stiffness_kn_m2=sum(stiff) or None)
         else:
             levels.append(hold)
     return _spaced(levels, MIN_SLENDERNESS * require_value(wall.thickness))
@@ -207,6 +213,20 @@ def _beside(wall: Wall, low: float, high: float, last: bool) -> float:
         weight, _, over = weight_above(wall, high)
         beside += weight * _lever(high + over, low, high)
     return beside
+
+
+def _rocks_above(wall: Wall, low: float, high: float) -> PartAbove | None:
+    """What rocks above the highest hold of a wall; None where that is too little to be looked at. low, high : of the
+    stretch below the hold [m]"""
+    if not _reaches_well_above(wall, high):
+        return None
+    above = cut_above_hinge(wall, high).without_ties()
+    own = replace(above, hold=(), mechanism="two_sided").in_si
+    block, weight = own.block, own.moving_weight
+    rise = block.radius * math.cos(block.slenderness)
+    multiplier = max(side.sine * math.tan(sides.slenderness) + side.cosine for sides, side in own.sides)
+    growth = weight * (1.0 - block.p2 * rise**2 / (G * block.radius))
+    return PartAbove(weight, 1.0 + rise / (high - low), max(0.0, multiplier), growth)
 
 
 def _lever(height: float, low: float, high: float) -> float:

@@ -125,6 +125,8 @@ class Hold:
     bar_length_m and what follows : of a tie only, but for elongation_m
     fy_mpa : with out_kn_m, gives the elongation at yield; 235 if none is given
     elongation_m : what it stands before it is gone, of a hold that yields at out_kn_m; without it, it is brittle
+    stiffness_kn_m2 : of a floor, a roof, a ring beam or an anchor, with out_kn_m: force per metre of wall and per metre
+        it gives way; with it, or with elongation_m, the impulses of a wall that comes back from inward are looked at
     slack_mm : before it pulls; prestress : share of the force at yield
     design : it is not there yet: what it has to hold is sought
     """
@@ -147,6 +149,7 @@ class Hold:
     bar_length_m: float | None = number_key(0.2, 100.0, unit="m")
     fy_mpa: float | None = number_key(100.0, 1500.0, unit="MPa")
     elongation_m: float | None = number_key(0.0, 10.0, unit="m")
+    stiffness_kn_m2: float | None = number_key(1.0, 1e9, unit="kN/m2")
     slack_mm: float | None = number_key(0.0, 500.0, unit="mm")
     prestress: float | None = number_key(0.0, 0.9)
     bar: Bars | None = key("section", of=Bars, columns="hold{n}_bar_")
@@ -269,9 +272,11 @@ class ShareOfHold(Hold):
     """What a hold has for the stretch below it, or for the one above (h_m 0).
 
     beside_kn_m : weight whose inertia goes to it beside what the stretch hands to it, by the lever rule
+    rocking : what rocks above it, of the highest one
     """
 
     beside_kn_m: float = 0.0
+    rocking: masonry.PartAbove | None = None
 
     @property
     def is_tie(self) -> bool:

@@ -62,6 +62,8 @@ def _check_hold(wall: Wall, hold: Hold, here) -> None:
         raise InputError("document_reference", place=here, key="reference", kind=hold.evidence.kind)
     if hold.in_kn_m is not None and (hold.out_kn_m is None or not hold.has_height or hold.is_bar):
         raise InputError("hold_inward", place=here, key="in_kn_m", out_kn_m=Key("out_kn_m"))
+    if hold.stiffness_kn_m2 is not None and (hold.out_kn_m is None or not hold.has_height or hold.is_bar):
+        raise InputError("hold_inward", place=here, key="stiffness_kn_m2", out_kn_m=Key("out_kn_m"))
     _check_yield(hold, here)
     check_tie(wall, hold, here)
     _check_height(wall, hold, here)

@@ -236,7 +236,9 @@ class Wall(Shaped):
             1e3 * hold.beside_kn_m if isinstance(hold, ShareOfHold) else 0.0,
             next((1e3 * foot.out_kn_m for foot in self.hold if foot.h_m == 0.0 and foot.out_kn_m is not None), None),
             None if hold.in_kn_m is None else 1e3 * hold.in_kn_m,
-            hold.elongation_m is not None,
+            hold.elongation_m,
+            hold.rocking if isinstance(hold, ShareOfHold) else None,
+            None if hold.stiffness_kn_m2 is None else 1e3 * hold.stiffness_kn_m2,
         )
 
     def _arch(self) -> Arch | None:

@@ -222,8 +222,19 @@ def impulse(leaving: MovingStrip, entering: MovingStrip, speed: float) -> float:
     """
     strip = leaving.strip
     before = leaving.momentum(strip.thickness - strip.setback)
-    after = kept_rate(leaving, entering) * entering.momentum(entering.strip.setback)
+    after = max(0.0, kept_rate(leaving, entering)) * entering.momentum(entering.strip.setback)
     return speed * (before - after) / strip.height
+
+
+def speeds_at_return(motion: History, dt: float, back: float) -> np.ndarray:
+    """abs(theta') [rad/s] of a wall that comes back from inward, just before each impact: from what it keeps, or, where
+    it keeps nothing, from the samples before. dt : [s]; back : `kept_rate` from inward to outward"""
+    if back > 0.0:
+        return motion.impact_velocity[motion.impact_velocity > 0.0] / back
+    last = np.minimum(motion.impact_time // dt, motion.rotation.size - 1).astype(int)
+    before = np.maximum(last - 1, 0)
+    here, late = motion.velocity[last], motion.impact_time / dt - last
+    return np.abs(here + late * (here - motion.velocity[before]))[motion.rotation[last] < 0.0]
 
 
 def reactions_of_history(

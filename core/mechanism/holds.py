@@ -39,12 +39,14 @@ class HoldLimit(NamedTuple):
 
     hold : TOP, BASE, FOOT or ENDS; stands : [N/m], of ENDS across each of them, per metre of height
     push : alpha up to which it holds [-]; side : the motion that asks most of it, "outward" or "inward"
+    presses : the wall presses it inward, and does not pull
     """
 
     hold: str
     stands: float
     push: float
     side: str
+    presses: bool = False
 
     def share(self, alpha: float) -> float:
         """n_F: multiple of a demand of largest push alpha [-] up to which it holds."""
@@ -58,15 +60,22 @@ def reaction_of_top(sections: Sections, moving: MovingStrip, alpha: float) -> fl
     if alpha >= moving.alpha0:
         return moving.bound(alpha)
     height = require_value(sections.wall.height)
-    if sections.wall.declared.yields:
+    if sections.wall.declared.elongation is not None:
         return least_at_top(sections, height, alpha)
     return max(0.0, min(simple_reactions(sections, [height], alpha)[0], greatest_at_top(sections, height, alpha)))
 
 
 def force_on_top(sections: Sections, moving: MovingStrip, alpha: float) -> float:
     """Largest force [N/m] on the hold at the top under pushes up to alpha [-]: the reaction of the wall below it, with
-    the inertia of what goes to the hold beside that."""
-    return reaction_of_top(sections, moving, alpha) + alpha * sections.wall.declared.beside
+    the inertia of what goes to the hold beside that and what rocks above."""
+    return reaction_of_top(sections, moving, alpha) + force_beside(sections.wall, alpha)
+
+
+def force_beside(wall: Masonry, alpha: float) -> float:
+    """Largest force [N/m] on the hold at the top of a wall beside what the wall hands to it, under pushes up to alpha
+    [-]."""
+    declared = wall.declared
+    return alpha * declared.beside + (declared.above.force(alpha) if declared.above else 0.0)
 
 
 def reaction_of_foot(sections: Sections, moving: MovingStrip, alpha: float) -> float:
@@ -95,7 +104,8 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
     if math.isfinite(strength):  # else it is looked at where the stretch is chosen
         yield HoldLimit(TOP, strength, push_at(lambda alpha: force_on_top(sections, moving, alpha), strength), side)
     if side == INWARD and (pressed := declared.inward) is not None:
-        yield HoldLimit(TOP, pressed, push_at(lambda alpha: force_on_top(sections, moving, alpha), pressed), side)
+        push = push_at(lambda alpha: force_on_top(sections, moving, alpha), pressed)
+        yield HoldLimit(TOP, pressed, push, side, presses=True)
     if (foot := declared.foot_strength) is not None and math.isinf(foot):
         return
     if foot is not None:

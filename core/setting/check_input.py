@@ -33,6 +33,7 @@ from core.mechanism.sections import Sections
 from core.rocking.methods import Method
 from core.setting.demand_input import find_generation_settings, generate_requested_motions
 from core.setting.floors import Floor, make_floor
+from core.setting.held_histories import HeldHistories
 from core.text.sentence import Sentence
 from core.wall.arch import MIN_THRUST
 from core.wall.bending import strip_of
@@ -130,6 +131,16 @@ class CheckInput:
             walls["inward"] = mirror_inward(self.wall).in_si
         strips = {side: strip_of(wall) for side, wall in walls.items()}
         return {side: (wall, MovingStrip(strips[side], lowest_hinge(strips[side]))) for side, wall in walls.items()}
+
+    def moving_to(self, side: str) -> tuple[Masonry, MovingStrip]:
+        """A wall that bends as it moves to a side of a hold limit, and its strip."""
+        return self._moving[side]
+
+    @cached_property
+    def held_histories(self) -> HeldHistories:
+        """What it hands to its holds along its histories."""
+        moved = ((motion, sign * self.demand.scaling(motion)) for motion in self.motions for sign in self.signs)
+        return HeldHistories(self.model, tuple(moved), self.method)
 
     @cached_property
     def hold_limits(self) -> tuple[HoldLimit, ...]:

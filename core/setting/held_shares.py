@@ -29,11 +29,14 @@ def find_push(kinematic: KinematicAnalysis, demand: SeismicDemand, motions: Sequ
 
 def scale_beside(stretch: Wall, factor: float) -> Wall:
     """A stretch whose upper hold takes so many times the inertia of what goes to it beside the stretch."""
-    holds = (
-        replace(hold, beside_kn_m=factor * hold.beside_kn_m) if isinstance(hold, ShareOfHold) else hold
-        for hold in stretch.hold
-    )
-    return replace(stretch, hold=tuple(holds))
+
+    def scaled(hold: Hold) -> Hold:
+        if not isinstance(hold, ShareOfHold):
+            return hold
+        rocking = None if hold.rocking is None else replace(hold.rocking, factor=factor)
+        return replace(hold, beside_kn_m=factor * hold.beside_kn_m, rocking=rocking)
+
+    return replace(stretch, hold=tuple(map(scaled, stretch.hold)))
 
 
 def share_out(stretches: Sequence[Wall], pushes: Sequence[float]) -> list[Wall]:

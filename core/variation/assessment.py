@@ -26,8 +26,10 @@ from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.assumptions import evaluate_assumptions
 from core.variation.changes import has_own_thickness, rescale_thickness
-from core.variation.evaluate import Evaluation, Reaction, check_by_histories, evaluate, find_reactions
+from core.variation.evaluate import Evaluation, check_by_histories, evaluate
+from core.variation.hold_check import Reaction, find_reactions
 from core.variation.second_level import UnaskedRange, find_unasked_range
+from core.variation.turning_holds import reactions_of_turning
 from core.wall.arch import Arch
 
 TRIAL_THICKNESS_FACTORS = (1.05, 1.1, 1.2, 1.3)
@@ -149,7 +151,10 @@ def assess_evaluation(
     verdict = make_verdict(evaluation.evidence, bound, tuple(limits), raised, why)
     below = unheld.dynamic if unheld else None
     parts = (kinematic, evaluation.checks, dynamic, below, verdict, unasked, ratio, _capacity(evaluation))
-    return Assessment(*parts, bound_passes=stands, reactions=find_reactions(evaluation))
+    reactions = find_reactions(scene, evaluation.holds, evaluation.zeta, dynamic)
+    if not scene.wall.bends:
+        reactions = reactions_of_turning(scene, kinematic, dynamic, evaluation.zeta)
+    return Assessment(*parts, bound_passes=stands, reactions=reactions)
 
 
 def _limits(
@@ -323,11 +328,13 @@ def _hold_remark(evaluation: Evaluation) -> list[Sentence]:
     check = evaluation.made("hold")
     if check is None:
         return []
-    weakest = min(evaluation.scene.hold_limits, key=lambda limit: limit.push)
+    weakest = evaluation.holds[0]
     values: dict[str, object] = {"asked": check.demand, "stands": check.capacity, "share": check.zeta}
-    if weakest.hold == ENDS:
+    if weakest.impulse is not None:
+        return [sentence("reason", "hold_impulse", impulse=weakest.impulse, **values)]
+    if weakest.limit.hold == ENDS:
         values["across"] = Key("out_kn_m")
-    return [sentence("reason", HOLD_REMARKS[weakest.hold], **values)]
+    return [sentence("reason", HOLD_REMARKS[weakest.limit.hold], **values)]
 
 
 def _of_ties_not_counted(evaluation: Evaluation) -> list[Sentence]:

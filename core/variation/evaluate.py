@@ -4,20 +4,12 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import NamedTuple
 
 from core.codes.demand import MIN_SHARE_OF_DEMAND
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.evidence import Circumstances, Evidence, governing_check
-from core.codes.kinematic import (
-    HOLD_CLAUSE,
-    ZETA_ROUNDING,
-    Check,
-    KinematicAnalysis,
-    check_linear,
-    make_kinematic_checks,
-)
+from core.codes.kinematic import Check, KinematicAnalysis, check_linear, make_kinematic_checks
 from core.codes.limits import counted_stations
 from core.codes.multiplier_search import MULTIPLIER_STEP, RUN, SPARSE, Precision
 from core.codes.outcomes import FAILS, OPEN, PASSES, severity_key
@@ -27,8 +19,8 @@ from core.errors import InputError
 from core.ground.record_folder import is_doubtful
 from core.known import require_value
 from core.setting.check_input import CheckInput
-from core.setting.held_shares import find_push
 from core.text.sentence import Sentence, sentence
+from core.variation.hold_check import HoldState, check_of_holds, look_at_holds
 from core.wall.rocking_model import RockingModel
 
 EXACT_METHODS = ("auto", "taylor", "taylor_6", "dormand_prince")
@@ -59,6 +51,7 @@ class Evaluation:
     checks : those that could be made, the one that decides first, then the most refined
     beside : the check by histories where it decides nothing, which is not among them
     precision : of the histories
+    holds : what holds a wall that bends, what gives way first at the head
     """
 
     scene: CheckInput
@@ -67,6 +60,7 @@ class Evaluation:
     checks: tuple[Check, ...]
     precision: Precision = FULL_PRECISION
     beside: DynamicCheck | None = None
+    holds: tuple[HoldState, ...] = ()
 
     @property
     def decides(self) -> Check | None:
@@ -132,7 +126,8 @@ class Evaluation:
         """zeta of the histories that decide nothing, or of what gives way along them before [-]."""
         if self.beside is None or self.beside.zeta is None or self.kinematic is None:
             return None
-        hold = _check_of_holds(self.scene, self.kinematic, self.beside)
+        holds = look_at_holds(self.scene, self.kinematic, self.beside)
+        hold = check_of_holds(holds, self.scene.demand)
         return self.beside.zeta if hold is None or hold.zeta is None else min(self.beside.zeta, hold.zeta)
 
     def _unbranched(self) -> str:
@@ -192,60 +187,8 @@ def evaluate(
     evaluation = Evaluation(scene, kinematic, dynamic, checks, precision, beside)
     if scene.by_default:
         evaluation = replace(evaluation, checks=_worse_first(evaluation))
-    return replace(evaluation, checks=_place_hold(evaluation, _check_of_holds(scene, kinematic, dynamic)))
-
-
-class Reaction(NamedTuple):
-    """What a hold of a wall takes.
-
-    hold : HoldLimit.hold; direction : of the motion that asks most of it, "outward" or "inward"
-    at_demand, at_zeta : at the demand and at zeta of the check that decides [N/m]; stands : at the demand [N/m]
-    gives_way : share of the demand up to which it holds [-]
-    """
-
-    hold: str
-    direction: str
-    at_demand: float
-    at_zeta: float | None
-    stands: float
-    gives_way: float
-
-
-def find_reactions(evaluation: Evaluation) -> tuple[Reaction, ...]:
-    """Reactions of the holds of a wall that bends, the one that gives way first at the head; none of holds without a
-    strength."""
-    scene = evaluation.scene
-    kinematic, motions = evaluation.kinematic, scene.motions if evaluation.dynamic else []
-    alpha = None if kinematic is None else find_push(kinematic, scene.demand, motions)
-    if alpha is None:
-        return ()
-    zeta = evaluation.zeta
-    return tuple(
-        Reaction(
-            limit.hold,
-            limit.side,
-            scene.find_reaction(limit, alpha),
-            None if zeta is None or not math.isfinite(zeta) else scene.find_reaction(limit, zeta * alpha),
-            scene.find_strength(limit, alpha),
-            limit.share(alpha),
-        )
-        for limit in sorted(scene.hold_limits, key=lambda limit: limit.push)
-    )
-
-
-def _check_of_holds(scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None) -> Check | None:
-    """The check of what holds a wall that bends: of all that hold it the one that gives way first, under the largest
-    push of the demand. None of a wall whose holds have no strength, and none where no push is known."""
-    limits, demand = scene.hold_limits, scene.demand
-    alpha = find_push(kinematic, demand, scene.motions if dynamic else [])
-    if not limits or alpha is None:
-        return None
-    limit = min(limits, key=lambda limit: limit.push)
-    zeta = limit.share(alpha)
-    reaction, stands = 1e-3 * scene.find_reaction(limit, alpha), 1e-3 * scene.find_strength(limit, alpha)
-    if zeta < 1.0:  # it was asked for all that it stands at rest, before the mechanism that the demand makes move
-        reaction = max(reaction, stands)
-    return Check("hold", HOLD_CLAUSE, "kN/m", stands, reaction, zeta, zeta >= demand.zeta_target - ZETA_ROUNDING)
+    holds = look_at_holds(scene, kinematic, dynamic)
+    return replace(evaluation, holds=holds, checks=_place_hold(evaluation, check_of_holds(holds, scene.demand)))
 
 
 def _place_hold(evaluation: Evaluation, hold: Check | None) -> tuple[Check, ...]:

@@ -79,15 +79,39 @@ class ReturnWalls:
 
 
 @dataclass(frozen=True)
+class PartAbove:
+    """What is above the highest hold of a wall, which rocks about it, and what it hands to that hold.
+
+    weight : that the earthquake pushes [N/m]; lever : share of it that goes to the hold at rest, its moment included
+    multiplier : alpha_0 [-]; growth : kappa [N/m], growth of the reaction with the push from there on
+    factor : push at the hold over the push on the stretch below
+    """
+
+    weight: float
+    lever: float
+    multiplier: float
+    growth: float
+    factor: float = 1.0
+
+    def force(self, alpha: float) -> float:
+        """Largest force [N/m] under pushes up to alpha [-] on the stretch below."""
+        push = self.factor * alpha
+        at_rest = self.lever * self.weight * min(push, self.multiplier)
+        return at_rest + self.growth * max(0.0, push - self.multiplier)
+
+
+@dataclass(frozen=True)
 class Declared:
     """What the engineer says of a wall, which no number shows.
 
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
     unloaded : that nothing rests on it
     strength : of what holds its top [N/m]; beside : weight whose inertia that takes beside the wall's own [N/m]
+    above : what rocks above what holds its top; None of a wall that ends there
     inward : strength of what holds its top against a motion inward [N/m]; None where it is not compared
     foot_strength : of what holds its base across [N/m]; None of one that rests on the friction of its bed joint
-    yields : what holds its top yields at its strength and is stretched before it is gone
+    elongation : with which what holds its top yields at its strength before it is gone [m]; None of a brittle one
+    stiffness : of what holds its top [N/m2]; None where it is not known
     """
 
     restraint: str | None = None
@@ -98,7 +122,9 @@ class Declared:
     beside: float = 0.0
     foot_strength: float | None = None
     inward: float | None = None
-    yields: bool = False
+    elongation: float | None = None
+    above: PartAbove | None = None
+    stiffness: float | None = None
 
 
 @dataclass(frozen=True)
@@ -128,8 +154,6 @@ class Masonry:
     unit_weight: float | None = None
     modulus: float | None = None
     strength: float | None = None
-    beside: float = 0.0
-    foot_strength: float | None = None
     kind: str | None = None
     law: MomentLaw = RIGID
     branch: str = ""

@@ -93,12 +93,14 @@ CHECK = (
 
 
 REACTION = (
-    text("hold", "top, base, foot (a floor there) or ends: what holds the wall"),
+    text("hold", "top, base, foot (a floor there), ends, tie or behind: what holds the wall"),
     text("direction", "outward or inward: the motion that asks most of it"),
+    text("check", "kinematic (linear and displacement check alike) or dynamic: whose push asks it"),
     number("at_demand_kn_m", "kN/m", "what it takes at the demand", scaled_reader(1e3, "at_demand")),
     number("at_zeta_kn_m", "kN/m", "what it takes at zeta of the check that decides", scaled_reader(1e3, "at_zeta")),
-    number("stands_kn_m", "kN/m", "what it stands at the demand", scaled_reader(1e3, "stands")),
+    number("stands_kn_m", "kN/m", "what it stands, null where it is not compared", scaled_reader(1e3, "stands")),
     number("gives_way", "-", "share of the demand up to which it holds"),
+    number("impulse_n_s_m", "N s/m", "impulse that pulls at it at the demand, where it has to take it", "impulse"),
 )
 """Quantities read from Reaction."""
 

@@ -52,6 +52,38 @@ def test_that_a_hold_of_30_kn_is_overcome_where_the_worked_wall_reaches_it():
     assert limits()[TOP, "outward"].share(2.0093143) == pytest.approx(0.946, abs=5e-4)
 
 
+def of_histories(**hold):
+    """Reactions of the worked wall along its histories, the weakest first."""
+    spectrum = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.35, "soil": "C", "topography": "T1"}
+    table = {"demand": {"ag_g": 0.9, "confidence_factor": 1.35, "spectrum": spectrum}, "generate": {"seed": 1}}
+    table["building"] = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
+    case = parse_case(table | {"wall": [HELD | {"hold": [at_top(3.0, 30.0)[0] | hold]}]})
+    found = run(case, base_dir=ROOT).walls[0].assessment
+    return {(row.hold, row.direction, row.impulse is None): row for row in found.reactions if row.check == "dynamic"}
+
+
+@pytest.mark.shows("held.reaction")
+def test_that_a_hold_is_followed_along_the_histories_where_their_bound_says_that_it_gives_way():
+    """Worked value 6: 30.764012 kN/m at the demand, 30 reached at 0.954 where the bound says 0.946."""
+    reaction = of_histories()[TOP, "outward", True]
+    assert reaction.at_demand == pytest.approx(30764.012, abs=0.01)
+    assert reaction.gives_way == pytest.approx(0.954, abs=5e-4)
+
+
+@pytest.mark.shows("held.impulse")
+def test_that_a_hold_with_a_stiffness_or_an_elongation_has_to_take_the_impulses():
+    """Worked value 9: 731.482 N s/m as the wall returns from inward, 48.4022 kN/m at 3.2712e6 N/m; a hold that yields
+    takes it by its elongation J^2/(2 m_T F)."""
+    stiff = of_histories(stiffness_kn_m2=3271.2)[TOP, "outward", False]
+    assert stiff.impulse == pytest.approx(731.482, abs=1e-3)
+    assert stiff.at_demand == pytest.approx(48402.2, rel=1e-5) and 0.5 < stiff.gives_way < 1.0
+    yields, more = (of_histories(elongation_m=stretch)[TOP, "outward", False] for stretch in (0.01, 0.02))
+    assert yields.at_demand * 0.01 == pytest.approx(731.482**2 / (2.0 * 747.105), rel=1e-5)
+    assert yields.gives_way < 1.0 <= more.gives_way
+    with pytest.raises(InputError):
+        parse_case({"wall": [HELD | {"hold": [{"kind": "floor", "h_m": 3.0, "stiffness_kn_m2": 3000.0}]}]})
+
+
 @pytest.mark.shows("held.yields")
 def test_that_a_hold_that_yields_is_asked_for_the_least_and_is_never_worse():
     """2 kN/m at a ground floor that a stiff hold asks 2.8 of (worked value 1), which needs none to stay at rest; random

@@ -87,6 +87,7 @@ def test_that_a_unit_in_the_name_of_a_key_is_the_unit_of_its_value():
         "_s": "s",
         "_years": "years",
         "_kn_m": "kN/m",
+        "_n_s_m": "N s/m",
     }
     ends |= {
         "_m_s": "m/s",

@@ -1,0 +1,87 @@
+"""What a wall that bends hands to its holds along its histories: the largest of all motions and signs."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from core.codes.vertical_bending import lowest_hinge, model_of_bending
+from core.ground.ground_motion import GroundMotion
+from core.known import require_value
+from core.mechanism.bending_reactions import MovingStrip, impulse, kept_rate, reactions_of_history, speeds_at_return
+from core.rocking.history import History, integrate_history
+from core.rocking.methods import Method
+from core.units import G
+from core.wall.rocking_model import RockingModel
+
+
+@dataclass(frozen=True)
+class HeldHistories:
+    """Histories of a wall that bends, at multiples of the demand. No confidence factor weakens it: a stronger wall
+    pushes harder.
+
+    model : of the wall; moved : each motion and sign with its scale at the demand
+    """
+
+    model: RockingModel
+    moved: tuple[tuple[GroundMotion, float], ...]
+    method: Method
+
+    @cached_property
+    def _hinged(self) -> RockingModel:
+        """The wall with the hinge with which it begins to move outward."""
+        held = require_value(self.model.bending)
+        return model_of_bending(held.outward, held.inward, lowest_hinge(held.outward))
+
+    @cached_property
+    def _sides(self) -> tuple[MovingStrip, MovingStrip]:
+        """Its strips to both sides."""
+        held = require_value(self._hinged.bending)
+        return MovingStrip(held.outward, held.h1), MovingStrip(held.inward, held.h1)
+
+    @cached_property
+    def _least(self) -> float:
+        """Multiplier below which it stays at rest [-]."""
+        return min(side.alpha0 for side in self._sides)
+
+    @cached_property
+    def _strongest_first(self) -> list[tuple[float, GroundMotion, float]]:
+        """(largest push at the demand [-], motion, signed scale)."""
+        rows = [(abs(scale) * motion.pga / G, motion, scale) for motion, scale in self.moved]
+        return sorted(rows, key=lambda row: -row[0])
+
+    def _follow(self, motion: GroundMotion, scale: float) -> History:
+        return integrate_history(motion.acceleration, motion.time_step, scale, self._hinged, self.method)
+
+    def largest(self, share: float, at_base: bool = False) -> tuple[float, float]:
+        """Largest reactions [N/m] of the hold at the top, or of the base, at a share of the demand, outward-holding and
+        inward-holding. A motion whose bound is below what another one reached is not followed."""
+        pulled = pushed = 0.0
+        for push, motion, scale in self._strongest_first:
+            alpha = share * push
+            if alpha <= self._least or max(side.bound(alpha, at_base) for side in self._sides) <= min(pulled, pushed):
+                break
+            history, ground = self._follow(motion, share * scale), share * scale * motion.acceleration / G
+            both = reactions_of_history(*self._sides, history, ground, motion.time_step, at_base)
+            pulled, pushed = max(pulled, both[0]), max(pushed, both[1])
+        return pulled, pushed
+
+    def impulse(self, share: float) -> float:
+        """Largest impulse with which the hold at the top pulls at a share of the demand [N s/m]: of a wall that comes
+        back from inward."""
+        outward, inward = self._sides
+        back, largest = kept_rate(inward, outward), 0.0
+        for push, motion, scale in self._strongest_first:
+            if share * push <= self._least:
+                break
+            speeds = speeds_at_return(self._follow(motion, share * scale), motion.time_step, back)
+            largest = max(largest, impulse(inward, outward, float(speeds.max(initial=0.0))))
+        return largest
+
+    @property
+    def starts_at(self) -> float:
+        """Share of the demand below which no motion makes the wall move [-]."""
+        return self._least / max(self._strongest_first[0][0], 1e-12)
+
+    @property
+    def top_mass(self) -> float:
+        """m_T [kg/m]."""
+        return self._sides[0].top_mass
