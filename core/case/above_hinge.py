@@ -50,6 +50,7 @@ def cut_above_hinge(wall: Wall, hinge: float) -> Wall:
         height_over_thickness=None,
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + hinge,
         hinge_heights=None,
+        base_friction=None,
         load=loads,
         hold=tuple(above for hold in wall.hold if (above := hold.above(hinge)) is not None),
         unloaded_confirmed=wall.unloaded_confirmed or (bool(wall.load) and not loads),

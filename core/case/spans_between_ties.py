@@ -198,6 +198,7 @@ def cut_span(wall: Wall, low: float, high: float, foot_stays: bool = False) -> W
         height_over_thickness=None,
         base_z_m=None if wall.base_z_m is None else wall.base_z_m + low,
         hinge_heights=None,
+        base_friction=wall.base_friction if low == 0.0 else None,
         restitution=None,
         velocity_ratio=None,
         law="auto",

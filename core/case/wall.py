@@ -23,7 +23,7 @@ from core.wall.bending import TOP_TOLERANCE, spread_over
 from core.wall.block import Block
 from core.wall.impact import Restitution
 from core.wall.kinematics import MECHANISMS, Kinematics, kinematics
-from core.wall.masonry import Declared, Masonry, base_length, weight_per_metre
+from core.wall.masonry import SLIDING, Declared, Masonry, base_length, weight_per_metre
 from core.wall.moment_rotation import LAWS, WITH_BRANCH, MomentLaw
 from core.wall.restitution import MODELS, restitution
 from core.wall.solids import sum_of
@@ -76,6 +76,7 @@ class Wall(Shaped):
     length_m: float | None = number_key(0.05, 200.0, unit="m", form="checks")
     unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3", form="checks")
     free_element: bool | None = flag_key(None, form="checks")
+    base_friction: float | None = number_key(0.05, 0.4, form="checks")
     elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
     unloaded_confirmed: bool = flag_key(form="checks")
     floor: str = text_key(form="checks")
@@ -173,6 +174,7 @@ class Wall(Shaped):
             law=self.moment_law(),
             branch=self.law if isinstance(self.law, str) and self.law in WITH_BRANCH else "",
             free=self.free_element,
+            friction=SLIDING if self.base_friction is None else self.base_friction,
             felt=self.demand_height_m,
             parts=self.parts,
             loads=(*(load.in_si for load in self.load), *(tie.tie_in_si(self.length_m) for tie in self.ties)),

@@ -12,7 +12,6 @@ from core.known import require_value
 from core.mechanism.bending_reactions import MovingStrip
 from core.mechanism.rest import (
     BISECTIONS,
-    SLIDING,
     Reach,
     base_reaction,
     greatest_at_top,
@@ -113,7 +112,7 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
         return
     held = [Reach(require_value(wall.height), UNLIMITED, UNLIMITED)]
     if not holds_at_rest(sections, held, alpha0 * (1.0 - 1e-6)):  # it slides before it bends
-        yield HoldLimit(BASE, SLIDING * sections.at(0.0).weight, multiplier_at_rest(sections, held), side)
+        yield HoldLimit(BASE, wall.friction * sections.at(0.0).weight, multiplier_at_rest(sections, held), side)
 
 
 def limit_of_ends(wall: Masonry, moving: MovingStrip) -> HoldLimit:

@@ -24,9 +24,6 @@ BISECTIONS = 40
 MAX_MULTIPLIER = 100.0
 """Multiplier beyond which no wall is looked at [-]."""
 
-SLIDING = 0.4
-"""Friction coefficient of a bed joint (EN 1996-1-1, 3.6.2, and NTC 2018, 11.10.3.3, both from memory)."""
-
 
 @dataclass(frozen=True)
 class Reach:
@@ -42,13 +39,13 @@ State = tuple[float, float]
 """Moment of the holds above a section [N] and their sum [N/m]."""
 
 
-def holds_at_rest(sections: Sections, holds: Sequence[Reach], alpha: float, friction: float = SLIDING) -> bool:
+def holds_at_rest(sections: Sections, holds: Sequence[Reach], alpha: float, friction: float | None = None) -> bool:
     """Whether reactions exist with which a wall stays at rest under an outward push alpha [-]: no section opens, and
-    the base does not slide."""
-    return bool(_reached(sections, holds, alpha, friction))
+    the base does not slide. friction : of the base, None that of the wall"""
+    return bool(_reached(sections, holds, alpha, sections.wall.friction if friction is None else friction))
 
 
-def multiplier_at_rest(sections: Sections, holds: Sequence[Reach], friction: float = SLIDING) -> float:
+def multiplier_at_rest(sections: Sections, holds: Sequence[Reach], friction: float | None = None) -> float:
     """Largest alpha [-] of `holds_at_rest`, at most MAX_MULTIPLIER; 0 of a wall that does not stand without a push."""
     if not holds_at_rest(sections, holds, 0.0, friction):
         return 0.0
@@ -86,7 +83,7 @@ def least_at_top(sections: Sections, height: float, alpha: float) -> float:
     least = max(0.0, float(_over_levers(sections, height, alpha, slice(8, 11)).max()))
     if sections.wall.declared.foot_strength is not None:
         return least
-    return max(least, base_reaction(sections, [], alpha) - SLIDING * sections.at(0.0).weight)
+    return max(least, base_reaction(sections, [], alpha) - sections.wall.friction * sections.at(0.0).weight)
 
 
 def _over_levers(sections: Sections, height: float, alpha: float, of_moment: slice) -> np.ndarray:

@@ -334,6 +334,8 @@ def _hold_remark(evaluation: Evaluation) -> list[Sentence]:
         return [sentence("reason", "hold_impulse", impulse=weakest.impulse, **values)]
     if weakest.limit.hold == ENDS:
         values["across"] = Key("out_kn_m")
+    if weakest.limit.hold == BASE:
+        values["friction"] = evaluation.scene.wall.in_si.friction
     return [sentence("reason", HOLD_REMARKS[weakest.limit.hold], **values)]
 
 

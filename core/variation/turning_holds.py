@@ -3,7 +3,7 @@
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import KinematicAnalysis
 from core.mechanism.sections import Sections
-from core.mechanism.turning_reactions import force_behind, tie_forces, impulse_behind, largest_forces, speed_before
+from core.mechanism.turning_reactions import force_behind, impulse_behind, largest_forces, speed_before, tie_forces
 from core.rocking.history import integrate_history
 from core.setting.check_input import CheckInput
 from core.units import G

@@ -78,6 +78,10 @@ class ReturnWalls:
     friction: float
 
 
+SLIDING = 0.4
+"""Friction coefficient of a bed joint (EN 1996-1-1, 3.6.2, and NTC 2018, 11.10.3.3, both from memory)."""
+
+
 @dataclass(frozen=True)
 class PartAbove:
     """What is above the highest hold of a wall, which rocks about it, and what it hands to that hold.
@@ -138,6 +142,7 @@ class Masonry:
     length : [m]; unit_weight : [N/m3]; modulus, strength : E and f of the masonry [Pa]; kind : row of Table C8.5.I
     law : of its moment; branch : where the check at the demand gives it an elastic branch: auto or elastic, else ""
     free : whether it is free to vibrate before it moves, None : a wall of two sides is
+    friction : of the bed joint at its base [-]
     felt : height above the ground at which its demand is taken [m], None where it is not given
     parts : its solids, none of a rectangle
     across : the walls behind it, dragged by friction
@@ -158,6 +163,7 @@ class Masonry:
     law: MomentLaw = RIGID
     branch: str = ""
     free: bool | None = None
+    friction: float = SLIDING
     felt: float | None = None
     parts: tuple[Part, ...] = ()
     loads: tuple[Load, ...] = ()

@@ -10,6 +10,7 @@ import pytest
 from core.case.held_top import mirror_inward
 from core.case.reader import case_of_text
 from core.case.rules import parse_case
+from core.case.spans_between_ties import cut_span
 from core.codes.kinematic import Check
 from core.codes.vertical_bending import lowest_hinge
 from core.errors import InputError
@@ -320,3 +321,14 @@ def test_that_a_tie_holds_no_base_that_an_anchor_does_not():
         assert found.checks[0].demand >= 0.99 * found.checks[0].capacity  # the largest up to the demand
         shares.append(reaction.gives_way)
     assert shares[0] == pytest.approx(shares[1], rel=1e-12) and shares[0] < 1.0
+
+
+@pytest.mark.shows("held.reaction")
+def test_that_a_base_of_less_friction_slides_earlier_and_a_stretch_above_keeps_its_own():
+    pushes = [limits(base_friction=value)[BASE, "outward"].push for value in (0.4, 0.3, 0.2)]
+    assert pushes[0] == limits()[BASE, "outward"].push and pushes == sorted(pushes, reverse=True)
+    assert pushes[2] < 0.7 * pushes[0]
+    with pytest.raises(InputError, match="base_friction"):
+        limits(base_friction=0.6)
+    tall = parse_case({"wall": [HELD | {"height_m": 6.0, "base_friction": 0.2, "hold": at_top(6.0, 30.0)}]}).wall[0]
+    assert cut_span(tall, 3.0, 6.0).in_si.friction == 0.4 and cut_span(tall, 0.0, 3.0).in_si.friction == 0.2

@@ -8,7 +8,7 @@ import pytest
 from core.case.held_stretches import find_held_stretches
 from core.case.rules import parse_case
 from core.mechanism.sections import Sections
-from core.mechanism.turning_reactions import force_behind, tie_forces, impulse_behind, largest_forces, speed_before
+from core.mechanism.turning_reactions import force_behind, impulse_behind, largest_forces, speed_before, tie_forces
 from core.rocking.history import integrate_history
 from core.setting.check_input import make_rocking_model
 from core.study.run import run
