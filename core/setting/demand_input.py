@@ -14,7 +14,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.coordinates import parse_coordinates
 from core.case.hazard_table import read_hazard
 from core.case.number import parse_number
-from core.case.schema import NO_HISTORIES, Case, Generate
+from core.case.schema import Case, Generate
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
 from core.codes.demand import SeismicDemand
@@ -247,8 +247,6 @@ def demand_notices(case: Case) -> list[Sentence]:
     where = case.demand.coordinates.strip() if case.demand else ""
     if where and _find_hazard(*parse_coordinates(where)) is None:
         notices.append(notice("coordinates_outside"))
-    if case.analysis.histories == NO_HISTORIES and (case.record or case.generate or case.select):
-        notices.append(notice("histories_made"))
     return notices
 
 

@@ -109,7 +109,7 @@ class Evaluation:
             bundled=any(value.startswith(BUNDLED_HEADER) for motion in motions for _, value in motion.details),
             strongest=max((demand.scaling(motion) * motion.pga for motion in motions), default=0.0),
             both_signs=scene.model.both_signs_alike or len(scene.signs) == 2,
-            histories_off=scene.histories_off and not motions,
+            histories_off=scene.histories_off,
             beside=self._zeta_beside(),
             exact=scene.method.name in EXACT_METHODS,
             unbranched=self._unbranched(),
@@ -236,7 +236,7 @@ def check_by_histories(
     cancelled: Callable[[], bool] = lambda: False,
 ) -> DynamicCheck | None:
     """The check of a scene by time histories alone; the parameters are those of `evaluate`."""
-    if not (motions := scene.motions) or scene.wall.kinematics.arches:
+    if not (motions := scene.motions) or scene.histories_off or scene.wall.kinematics.arches:
         return None
     precision = precision._replace(every=max(precision.every, FINEST))
     parts, target = (motions, scene.signs, scene.demand, scene.method), scene.demand.zeta_target

@@ -18,9 +18,10 @@ def reactions_of_turning(
     scene: CheckInput, kinematic: KinematicAnalysis, dynamic: DynamicCheck | None, zeta: float | None
 ) -> tuple[Reaction, ...]:
     """What a wall that turns hands to its ties, and at rest and as it comes back to what stands behind it; none of a
-    block given by its radius, nor of a corner. zeta : of the check that decides"""
+    wall without a unit weight, nor of a corner. zeta : of the check that decides"""
     wall, behind = scene.wall.in_si, _height_behind(scene)
-    if wall.height is None or wall.thickness is None or scene.wall.corner is not None:
+    weighs = wall.unit_weight is not None and wall.height is not None and wall.thickness is not None
+    if not weighs or scene.wall.corner is not None:
         return ()
     rows, sections, bars = [], Sections(wall), tuple(tie.bar for tie in wall.ties)
     if kinematic.acceleration_demand is not None:

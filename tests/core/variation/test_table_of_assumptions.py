@@ -228,12 +228,14 @@ def test_that_histories_beside_a_check_of_the_clauses_change_no_outcome_and_stan
     seen = set()
     for table in random_tables(4, histories=True):
         found = {}
-        for word in ("decide", "beside", "none"):
-            alone = {key: value for key, value in table.items() if word != "none" or key != "generate"}
-            case = rules.parse_case(alone | {"analysis": table["analysis"] | {"histories": word}})
+        for word in ("decide", "beside", "none", "none, without motions"):
+            alone = {key: value for key, value in table.items() if "without" not in word or key != "generate"}
+            case = rules.parse_case(alone | {"analysis": table["analysis"] | {"histories": word.split(",")[0]}})
             found[word] = run(case, base_dir=Path()).walls
-        for decides, beside, none in zip(*found.values(), strict=True):
+        for decides, beside, none, without in zip(*found.values(), strict=True):
             one, other = beside.assessment.verdict, none.assessment.verdict
+            bare = without.assessment.verdict  # q of the motions is searched all the same
+            assert none.assessment.dynamic is None and (other.code, other.zeta_e) == (bare.code, bare.zeta_e)
             assert (one.code, one.zeta_e, one.governing) == (other.code, other.zeta_e, other.governing)
             assert "time histories give" not in decides.assessment.verdict.text("en") + other.text("en")
             by_histories = decides.assessment.dynamic
