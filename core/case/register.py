@@ -116,7 +116,9 @@ def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[Regis
         keys = {"key": Key("to_m"), "building": Key("[building]")}
         leave(PART_ABOVE, sentence("reason", "end_left_open", **keys))
     if wall.leans and wall.held_by is not None and wall.held_by.only_there:
-        leave(HORIZONTAL_BENDING, sentence("reason", "no_arch", arch=Key("spacing_m")))
+        names = {"arch": "spacing_m", "tie": "tie_kn_m", "shoulder": "shoulder_length_m"}
+        keys = names | {"strength": "compressive_strength_mpa"}
+        leave(HORIZONTAL_BENDING, sentence("reason", "no_arch", **{name: Key(key) for name, key in keys.items()}))
     if falls_sooner_along(wall, free_above):
         leave(DIRECTION, sentence("reason", "direction_left_out", set_aside=Key("set_aside")))
     return rows

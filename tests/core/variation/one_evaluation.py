@@ -44,7 +44,7 @@ def with_histories(scene, found, ground=(MOTION,), **changes):
     def stated(model, motions, signs, demand, *_):
         return found(model, motions, demand)
 
-    return replace(scene, ground=ground, histories=stated, **changes)
+    return replace(scene, **({"ground": ground, "histories": stated, "histories_off": False} | changes))
 
 
 def looked_at(result, k=0):
