@@ -196,7 +196,7 @@ def _ways():
     held = bar | {HOLD + "bar": {"number": 1, "diameter_mm": 8.0, "anchorage_kn": 9000.0}, HOLD + "elongation_m": 0.9}
     yield Way("a bar with an anchorage of 9 MN", "tied", held, "elongation_m")
     for key, value, told in (
-        ("storeys", 1, "storeys"),
+        ("storeys", 1, "odd_storeys"),
         ("period_s", 2.5, "period_s"),
         ("period_s", DROP, "period_s"),
         ("period_factor", 2.5, "building"),
