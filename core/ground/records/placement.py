@@ -12,6 +12,8 @@ _WORDS = (
     r"|location\s*[:=]?\s*level\s*\d{1,2}"
     r"|bridge\s+deck|deck(?:\s+level)?|impalcato|pier\s+cap|foundation|fondazione"
     r"|dam\s*\(?crest|\(crest\)|location\s*[:=]?\s*crest|crest\s+of\s+(?:the\s+)?dam|coronamento|abut(?:ment)?|bent\s+\d+"
+    r"|(?:acc\w*?[_ -]?)?top(?=\s*[\[(;,\t]|\s*$)|acctop|a_?top|(?:storey|story)[_ ]?\d+|level_?\d+"
+    r"|[lf]\d{1,2}[_-][xyzhv]"
     r"|bore-?hole|down-?hole|in-?hole|pozzo|foro\s+di\s+sondaggio|SENSOR_DEPTH_M:\s*(?:[3-9]|[1-9]\d+)(?:\.\d+)?"
 )
 IN_STRUCTURE = re.compile(rf"(?<![^\W_])(?:{_WORDS})(?![^\W\d_])", re.IGNORECASE)

@@ -13,6 +13,7 @@ from core.ground.records import plain_head
 from core.ground.records.grammar import EMPTY_CELL, NUMBER, Options, Parsed, numbers, quoted, table_of, to_float
 from core.ground.records.head_units import refuse_other_quantity, stated_unit, take_unit
 from core.ground.records.sample_like import refuse_samples_in_head
+from core.text.sentence import notice
 
 _NO_NUMBER = re.compile(rf"(?:{NUMBER}|[+-]?nan|[+-]?inf(?:inity)?|\*++|[,;\s]++)++", re.IGNORECASE)
 _DECIMAL_COMMA = re.compile(r"[+-]?+[0-9]++(,[0-9]++)?+([EeDd][+-]?+[0-9]++)?+")
@@ -109,6 +110,8 @@ def read(lines: list[str], options: Options) -> Parsed:
     unit = stated_unit(said)
     declared = _take_count_and_step(content)
     table = _table(content)
+    if options.column is None and _is_wrapped(table):
+        return _unwrapped(table, options.time_step or (declared[1] if declared else None), unit, content)
     if plain_head.are_components(said, *table.shape) and not _rises(table[:, 0]):
         values, from_time, taken = _component(table, content.places, options)
     else:
@@ -123,6 +126,7 @@ def read(lines: list[str], options: Options) -> Parsed:
     parsed.told = len(content.head), len(content.places)
     parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(content.head[:6]))
     parsed.vertical = plain_head.vertical(said, table.shape[1], taken)
+    parsed.standing = plain_head.standing(said, table.shape[1], taken)
     return parsed
 
 
@@ -213,6 +217,9 @@ def _take_count_and_step(content: _Content) -> list[float] | None:
     if not _count_and_step(first):
         return None
     n = len(rows) + (0 if content.rest is None else len(content.rest))
+    if rows and len(rows[0]) > 2 and (n - 1) * len(rows[0]) < first[0] <= n * len(rows[0]):  # wrapped
+        content.rows, content.places = rows, content.places[1:]
+        return first
     if abs(n - first[0]) > 1 and not (rows and len(rows[0]) == 1):
         return None
     if n != first[0]:
@@ -224,6 +231,11 @@ def _take_count_and_step(content: _Content) -> list[float] | None:
 def _table(content: _Content) -> np.ndarray:
     """All samples, shape (n, width), and their places complete. Raises RecordError for rows of another width."""
     width = len(content.rows[0])
+    short = width - len(content.rows[-1])
+    if width > 2 and short > 0 and content.rest is None and len(content.rows) > FIRST_ROWS:  # where samples are wrapped
+        filled = [*content.rows[:-1], [*content.rows[-1], *[math.nan] * short]]
+        if all(len(row) == width for row in filled) and _is_wrapped(np.array(filled)):
+            return np.array(filled)
     for row, line in zip(content.rows, content.places, strict=True):
         if len(row) != width:
             raise RecordError("columns_differ", n=len(row), above=width, place=(place("line", n=line),))
@@ -232,6 +244,34 @@ def _table(content: _Content) -> np.ndarray:
         return table
     content.places += range(content.places[-1] + 1, content.places[-1] + 1 + len(rest))
     return np.concatenate([table, rest])
+
+
+def _is_wrapped(table: np.ndarray) -> bool:
+    """Whether the samples of a record stand side by side in rows, shape (n, width) with empty cells at the end alone:
+    none of the columns rises, and a sample is as near to the last one of the row above as to its neighbours in its own
+    row, nearer than to the sample above it, which components side by side never are."""
+    n, width = table.shape
+    filled = table.ravel()[: table.size - int(np.isnan(table[-1]).sum())]
+    if width < 3 or n < FIRST_ROWS or not np.isfinite(filled).all() or any(_rises(table[:-1, k]) for k in range(width)):
+        return False
+    whole = table[:-1]
+    inside, across = np.abs(np.diff(whole, axis=1)).mean(), np.abs(np.diff(whole, axis=0)).mean()
+    joins = np.abs(whole[1:, 0] - whole[:-1, -1]).mean()
+    return bool(inside > 0.0 and 0.5 * inside < joins < 1.5 * inside and inside < 0.8 * across)
+
+
+def _unwrapped(table: np.ndarray, step: float | None, unit, content: _Content) -> Parsed:
+    """The record of rows of samples. step : time step that is given or stated [s]. Raises RecordError without one, and
+    where the head states another number of samples."""
+    values = table.ravel()[: table.size - int(np.isnan(table[-1]).sum())]
+    if step is None:
+        raise RecordError("wrapped_rows", n=values.size, width=table.shape[1], key="time_step_s")
+    parsed = Parsed(values, step, None)
+    take_unit(parsed, unit)
+    parsed.told = len(content.head), len(content.places)
+    parsed.details = tuple((f"line {k + 1}", text) for k, text in enumerate(content.head[:6]))
+    parsed.warnings.append(notice("wrapped_rows", n=values.size, width=table.shape[1]))
+    return parsed
 
 
 def _count_and_step(row: list[float]) -> bool:

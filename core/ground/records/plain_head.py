@@ -11,6 +11,7 @@ from core.ground.records import wordings
 from core.ground.records.channels import is_vertical
 from core.ground.records.grammar import UNITS, Parsed, head_lines, quoted
 from core.ground.records.head_units import factor_of, refuse_other_quantity, units_of
+from core.ground.records.placement import structure_words
 from core.ground.records.wordings import FACTOR, TIMING, N, any_of, folded
 from core.quantities import unit_of
 from core.text.sentence import notice
@@ -381,9 +382,12 @@ def _named(head: str, width: int, column: int) -> Iterator[str]:
 
 
 _SHORT_NAME = re.compile(
-    r"(([vd]|vel|disp?)_?([xyz]|ns|ew|ud)|(vel|disp?)_?([0-9]|f|raw|filt)?)(\s*[\[(].*)?", re.IGNORECASE
+    r"(([vdu]|vel|disp?)_?([xyz]|ns|ew|ud)|(vel|disp?)_?([0-9]|f|raw|filt)?"
+    r"|(drift|theta|phi|rot|gyro|strain|force)_?(base|top|[xyz]|[0-9]+)?|[fmv]_?(base|top))(\s*[\[(].*)?",
+    re.IGNORECASE,
 )
-"""Names of columns of a velocity or a displacement in programs: vx, dx, vel_f, disp1."""
+"""Names of columns of a velocity, a displacement, a rotation or a force in programs: vx, ux, vel_f, disp1, drift,
+rot_x, gyro_z, F_base."""
 
 
 def refuse_column(head: str, width: int, column: int) -> None:
@@ -396,6 +400,14 @@ def refuse_column(head: str, width: int, column: int) -> None:
             if unit is not None and (unit.force or unit.angle or unit[1:] == (0, 1, -1, 0)):
                 raise RecordError("other_quantity", quantity=text.strip(), line=quoted(field))
         refuse_other_quantity(field)
+
+
+def standing(head: str, width: int, column: int) -> str:
+    """Words by which a head places the sensor of a column in a structure: its name above the column, or a line that is
+    of all columns; "" where none does."""
+    named = [field for field in _named(head, width, column) if any(map(str.isalpha, field))]
+    rows = [line for line in head_lines(head) if width < 3 or len(re.split(r"[;,\t]| {2,}", line.strip())) < width]
+    return structure_words(rows, " ".join(named[:1]))
 
 
 def vertical(head: str, width: int, column: int) -> bool:

@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
+from core.errors import RecordError
+from core.ground import records
 from core.ground.record_folder import Limits, read_file
+from core.ground.records.grammar import Options
 from core.ground.records.placement import structure_words
 
 PLACES = [
@@ -45,3 +48,29 @@ def test_that_a_selection_takes_free_field_alone(place, taken, tmp_path):
     assert hasattr(found, "spectrum") == taken
     if not taken:
         assert found.reason.code == "structure_component" and "roof" in found.reason.text("en")
+
+
+@pytest.mark.parametrize(
+    ("column", "said"),
+    [("acc_base", ""), ("acc_top", "acc_top"), ("L3_X", "L3_X"), ("storey2", "storey2"), ("AccTop", "AccTop")],
+)
+def test_that_the_name_of_a_column_places_its_sensor_alone(tmp_path, column, said):
+    """What stands above the other columns says nothing of this one."""
+    rows = [f"{0.01 * k:.2f};{0.1 * np.sin(k / 5.0):.4f};{0.2 * np.sin(k / 5.0):.4f}" for k in range(400)]
+    path = tmp_path / "building.csv"
+    path.write_text("\n".join([f"t [s];{column} [g];acc_base [g]", *rows, ""]))
+    found = records.read(path, Options(column=2))
+    assert [dict(note.values)["words"] for note in found.warnings if note.code == "in_structure"] == (
+        [f"'{said}'"] if said else []
+    )
+    other = records.read(path, Options(column=3))
+    assert "in_structure" not in {note.code for note in other.warnings}
+
+
+@pytest.mark.parametrize("name", ["drift", "theta", "rot_x", "gyro_z", "F_base", "ux"])
+def test_that_a_column_that_is_no_acceleration_is_refused_by_its_name(tmp_path, name):
+    path = tmp_path / "others.csv"
+    rows = [f"{0.01 * k:.2f};{0.1 * np.sin(k / 5.0):.4f};{0.2 * np.sin(k / 5.0):.4f}" for k in range(400)]
+    path.write_text("\n".join([f"t [s];{name};acc [g]", *rows, ""]))
+    with pytest.raises(RecordError, match=name):
+        records.read(path, Options("g", column=2))

@@ -46,7 +46,7 @@ def test_that_a_velocity_without_unit_is_not_guessed(shelf):
         (column(), {"unit": "g"}, "give time_step_s"),
         (peer(unit="ACCELERATION IN UNITS OF CM/S/S"), {"unit": "g"}, "states unit cm/s2"),
         (peer(unit="ACCELERATION IN UNITS OF G/10"), {"unit": "g"}, "g/10"),
-        (peer(step="0.0.1"), {"unit": "g"}, "0.0.1|columns|numbers"),
+        (peer(step="0.0.1"), {"unit": "g"}, "0.0.1|columns|numbers|rows of 5"),
         ("Time [s]  Acc. [cm/s2]\n" + two(), {"unit": "g"}, "states unit cm/s2"),
         ("t  Acceleration [m/s²]\n" + two(), {"unit": "g"}, "states unit m/s2"),
         ("# Units: cm/s2\n" + two(), {"unit": "g"}, "states unit cm/s2"),
