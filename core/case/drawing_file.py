@@ -1,9 +1,11 @@
 """A drawing (DXF) read: its closed shapes and its open outlines by layer (resources/docs/case.md)."""
 
 import hashlib
+import io
 import itertools
 import logging
 import math
+import re
 import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -143,8 +145,7 @@ class DxfFile:
         try:
             if not content.startswith(BINARY) and not content.rstrip(b"\0\r\n\t \x1a").endswith(b"EOF"):
                 raise ValueError  # ezdxf reads what was cut off at the end of a tag
-            self.document: Any = ezdxf.readfile(path)
-            self._unread: Counter[tuple[str, str]] = Counter()
+            self.document, self._unread = _read_whole(path, content)
             hidden = [layer for layer in self.document.layers if layer.is_off() or layer.is_frozen()]
             self._hidden = {layer.dxf.name.casefold() for layer in hidden}
             self._frozen = {layer.dxf.name.casefold() for layer in hidden if layer.is_frozen()}
@@ -250,6 +251,9 @@ class DxfFile:
                 except Tilted:
                     unread[layer, f"tilted {entity.dxftype()}"] += 1
                     continue
+                except (*DAMAGED, ezdxf.DXFError):
+                    unread[layer, f"damaged {entity.dxftype()}"] += 1
+                    continue
                 if not lines:
                     unread[layer, f"small {entity.dxftype()}"] += 1
                 for line in lines:
@@ -294,6 +298,50 @@ DAMAGED = (
     struct.error,
 )
 """Errors that a reader of damaged files raises."""
+
+
+_NO_SUBCLASS = re.compile(r"missing '(?P<subclass>\w+)' subclass in (?P<kind>\w+)")
+
+MAX_BROKEN_KINDS = 8
+"""Kinds of entities without their subclass of which a drawing is freed."""
+
+
+def _read_whole(path: Path, content: bytes) -> tuple[Any, Counter]:
+    """The document of a drawing, and what of it was left out to read the rest: entities that do not say what they are,
+    (layer, kind) with their number. Raises DXFError and those of DAMAGED."""
+    import ezdxf
+    from ezdxf.filemanagement import dxf_file_info
+
+    left: Counter[tuple[str, str]] = Counter()
+    text = ""
+    for _ in range(MAX_BROKEN_KINDS):
+        try:
+            return (ezdxf.read(io.StringIO(text)) if text else ezdxf.readfile(path)), left
+        except ezdxf.DXFStructureError as error:
+            broken = _NO_SUBCLASS.search(str(error))
+            if broken is None or content.startswith(BINARY):
+                raise
+            text = text or content.decode(dxf_file_info(path).encoding, errors="surrogateescape")
+            text, without = _drop_broken(text, broken["kind"], broken["subclass"])
+            if not without:
+                raise
+            left += without
+    raise ValueError("subclass")
+
+
+def _drop_broken(text: str, kind: str, subclass: str) -> tuple[str, Counter]:
+    """A drawing without the entities of a kind that lack a subclass; how many there were, by layer and kind."""
+    lines = text.splitlines()
+    starts = [k for k in range(0, len(lines) - 1, 2) if lines[k].strip() == "0"]
+    kept, left = lines[: starts[0]] if starts else lines, Counter[tuple[str, str]]()
+    for start, end in itertools.pairwise([*starts, len(lines)]):
+        tags = [(lines[k].strip(), lines[k + 1].strip()) for k in range(start, end - 1, 2)]
+        if tags[:1] == [("0", kind)] and ("100", subclass) not in tags:
+            layer = next((value for code, value in tags if code == "8"), "0")
+            left[layer, f"damaged {kind}"] += 1
+        else:
+            kept += lines[start:end]
+    return "\n".join([*kept, ""]), left
 
 
 def _content(path: Path) -> bytes:

@@ -502,6 +502,46 @@ def test_that_the_limits_of_a_drawing_are_those_the_page_names(tmp_path):
         DxfFile(path)
 
 
+@pytest.mark.parametrize("kind", ["spline", "subclass"])
+def test_that_an_entity_that_cannot_be_read_is_named_and_refuses_only_its_own_layer(tmp_path, kind):
+    """A spline whose knots do not fit, or a polyline that does not say what it is, beside a wall: counted by layer and
+    type; on the layer of the wall it may be wall, and is refused."""
+
+    def draw(layer):
+        def within(space):
+            rectangle(space)
+            if kind == "spline":
+                spline = space.add_spline(dxfattribs={"layer": layer})
+                spline.control_points, spline.knots = [(0, 0), (1, 1), (2, 0), (3, 1)], [0.0, 1.0, 2.0]
+            else:
+                rectangle(space, x=20.0, layer=layer)
+
+        return within
+
+    def break_it(layer):
+        path = sheet(tmp_path / "d.dxf", draw(layer))
+        lines = path.read_text(encoding="utf-8").splitlines()
+        if kind == "subclass":
+            last = max(k for k in range(1, len(lines)) if lines[k] == "AcDbPolyline")
+            del lines[last - 1 : last + 1]
+        path.write_text("\n".join([*lines, ""]), encoding="utf-8")
+        return path
+
+    path = break_it("FIORI")
+    read = DxfFile(path).sheet("m")
+    assert [shape.layer for shape in read.shapes] == ["A"]
+    (left,) = read.unread
+    assert left.layer == "FIORI" and left.n == 1 and "damaged" in left.kind
+    broken = break_it("A")
+    assert [one.layer for one in DxfFile(broken).sheet("m").unread] == ["A"]
+    case = tmp_path / "case.toml"
+    sizes = {"height": 5.0, "thickness": 0.5, "length": 6.0}
+    entry = '[[wall.drawing]]\nfile = "d.dxf"\nlayers = "A"\nplane = "elevation"\nto_m = 0.5\n'
+    case.write_text(WALL.format(**sizes) + entry)
+    with pytest.raises(InputError, match="damaged"):
+        read_case(case)
+
+
 WORDS = [b"", b"0", b"-1", b"1e400", b"nan", b"SECTION", b"ENTITIES", b"POLYLINE", b"10", b"EOF", b"$INSUNITS"]
 
 
