@@ -97,11 +97,12 @@ class _Content:
 def read(lines: list[str], options: Options) -> Parsed:
     """Raises RecordError for spectra, uneven or unsorted time, several columns without a choice,
     and rows that are not numbers."""
+    _refuse_spectrum_above(lines, options.skip_lines or 0)
     content = _told_apart(_with_points(lines), options.skip_lines or 0)
     if content.rows:
         above = zip(content.head_places, content.head[options.skip_lines or 0 :], strict=True)
         refuse_samples_in_head(list(above), content.first)
-    said = "\n".join(content.head)
+    said = "\n".join(content.head[_end_of_spectrum(lines[: options.skip_lines or 0]) :])
     refuse_other_quantity(said)
     if not content.rows:
         raise RecordError("no_numbers")
@@ -128,6 +129,30 @@ def read(lines: list[str], options: Options) -> Parsed:
     parsed.vertical = plain_head.vertical(said, table.shape[1], taken)
     parsed.standing = plain_head.standing(said, table.shape[1], taken)
     return parsed
+
+
+_HEAD_OF_SPECTRUM = re.compile(
+    r"\s*\"?(?:period|periodo)\b.*\b(?:psa|psv|sd|sa|sv|spectr\w*|spettr\w*)\b", re.IGNORECASE
+)
+_HEAD_OF_HISTORY = re.compile(r"\s*\"?(?:time|tempo|t)\b.*\bacc", re.IGNORECASE)
+
+
+def _refuse_spectrum_above(lines: list[str], skip: int) -> None:
+    """Raise RecordError where the table of a spectrum stands above that of a history, as exports of programs have
+    both: with the lines to skip. skip : that the case skips already"""
+    at = next((k for k, line in enumerate(lines[:MAX_HEAD]) if k >= skip and _HEAD_OF_SPECTRUM.match(line)), None)
+    if at is None:
+        return
+    below = next((k for k in range(at + 1, len(lines)) if _HEAD_OF_HISTORY.match(lines[k])), None)
+    if below is not None:
+        raise RecordError("spectrum_above", skip=below, key="skip_lines", place=(place("line", n=at + 1),))
+
+
+def _end_of_spectrum(skipped: list[str]) -> int:
+    """Number of the lines that are skipped up to the last row of a table of a spectrum among them, 0 without one."""
+    if not any(map(_HEAD_OF_SPECTRUM.match, skipped)):
+        return 0
+    return 1 + max((k for k, line in enumerate(skipped) if _NO_NUMBER.fullmatch(line.strip() or "-")), default=-1)
 
 
 _LONE_COMMA = re.compile(r"\s*[+-]?[0-9]+,[0-9]+(?:[Ee][+-]?[0-9]+)?\s*")

@@ -271,6 +271,7 @@ NOT_THE_SAMPLES = re.compile(
     r"\b(?:veloc\w+ (?:di )?campionamento|(?:shear|s|p|sound)[ -]?waves? velocit\w+|fft of|stress[ -]drop|air force"
     r"|velocit\w+ (?:delle|di) onde[a-z ]*|(?:rotation|rotated)[ -]?(?:angle|by|of|to|into)|angle of rotation"
     r"|angolo di rotazione|rotazione di|(?:for|before|after) rotation|peak (?:ground )?(?:velocity|displacement)"
+    r"|accel\w*(?:,| and|,? e|,? &) (?:veloc\w*)(?:,? (?:and|e|&) displ\w*)? time histor(?:y|ies)"
     r"|(?:base ?line|drift|mean|offset|tilt) correct\w*|correct\w* (?:for|of) tilt)\b"
 )
 """Phrases that speak of another quantity without saying that the samples are one."""

@@ -58,3 +58,28 @@ def test_that_a_text_in_utf_16_without_its_mark_is_read(write):
     text = "t (s)\tacc (g)\r\n" + "".join(f"{0.01 * k:.2f}\t{0.1 * np.sin(k / 5.0):.6f}\r\n" for k in range(400))
     found = [read(write(text, encoding), Options("g")) for encoding in ("utf-8", "utf-16-le", "utf-16-be")]
     assert all((motion.acceleration == found[0].acceleration).all() for motion in found)
+
+
+def test_that_a_spectrum_above_the_samples_is_said_with_the_lines_to_skip(write):
+    rows = [f"{0.01 * k:.3f}\t{0.1 * np.sin(k / 5.0):.7f}\t{0.3 * np.cos(k / 5.0):.7f}" for k in range(800)]
+    spectrum = [f"{0.05 * k:.4f}\t, 1.000\t, 1.000\t, {0.5 / k:.3f}" for k in range(1, 60)]
+    head = ["PGA:,  0.12 g", "Damping ratio for spectra:  0.05", " ", "period [s]\tSD. [cm]\tPSV [cm/s]\tPSA [g]"]
+    text = "\n".join(
+        [
+            *head,
+            *spectrum,
+            " ",
+            "acceleration and velocity time histories",
+            "time [s]\taccel. [g]\tvel. [cm/s]",
+            *rows,
+            "",
+        ]
+    )
+    path = write(text)
+    with pytest.raises(RecordError, match="skip_lines = 65") as refused:
+        read(path)
+    skip = refused.value.values["skip"]
+    found = read(path, Options(skip_lines=skip, column=2))
+    assert found.unit == "g" and found.acceleration.size == 800 and found.time_step == 0.01
+    with pytest.raises(RecordError, match="vel"):
+        read(path, Options(skip_lines=skip, column=3))
