@@ -30,6 +30,9 @@ MAX_BYTES = 2_000_000
 """A case file is a page or two; a larger file is something else."""
 
 
+_BACKSLASH = re.compile(r"""[^"'#]*"[^"]*\\[^"\\]""")
+"""A line with a backslash between double quotes."""
+
 _COMMA = re.compile(r"^[^#\n\"']*=\s*([+-]?\d+,\d+)\s*(?:#.*)?$", re.MULTILINE)
 """A number with a decimal comma, which TOML has not."""
 
@@ -69,6 +72,9 @@ def _table_of(content: bytes, path: Path) -> dict:
         if number:
             line = text.count("\n", 0, number.start(1)) + 1
             raise InputError("toml_comma", line=line, found=number[1], place=(path,)) from None
+        for n, row in enumerate(text.splitlines(), start=1):
+            if _BACKSLASH.match(row) and f"line {n}," in reason:
+                raise InputError("toml_backslash", line=n, place=(path,)) from None
         raise InputError("not_toml", reason=reason, place=(path,)) from None
     return table
 

@@ -17,7 +17,7 @@ from core.case.sensitivity import MAX_ADDED, MAX_FACTOR, MIN_FACTOR
 from core.case.site import Demand
 from core.case.wall import MIN_ELASTIC, Wall
 from core.errors import InputError, section
-from core.file_names import is_text, name_of
+from core.file_names import is_text, name_of, shown
 from core.text.sentence import Key, Sentence, sentence
 from core.wall.moment_rotation import LAWS, WITH_BRANCH
 
@@ -137,7 +137,13 @@ def _channel(entry, value, here):
     return value if _is_short_text(value) else None
 
 
+_WRITTEN_ESCAPE = re.compile("[\x07\b\t\n\x0b\f\r\x1b]")
+"""What \\t, \\n and the like of a path between double quotes are read as."""
+
+
 def _path(entry, value, here):
+    if isinstance(value, str) and _WRITTEN_ESCAPE.search(value):
+        raise InputError("path_escaped", place=(here,), key=entry.name, found=shown(value[:MAX_PATH]))
     named = isinstance(value, str) and 0 < len(value) <= MAX_PATH and "\0" not in value
     return value if named and name_of(value) else None
 

@@ -61,3 +61,21 @@ def test_that_a_decimal_comma_and_a_quoted_number_are_named(tmp_path, written, w
     path.write_text(f"[[wall]]\nname = 'a, 0,5'\nthickness_m = {written}\nheight_m = 7.0\nmechanism = 'one_sided'\n")
     with pytest.raises(InputError, match=words):
         read_case(path)
+
+
+@pytest.mark.parametrize(
+    ("path", "code"),
+    [("C:\\Users\\anna\\rec.txt", "toml_backslash"), ("C:\\temp\\new.txt", "path_escaped"), ("C:/temp/new.txt", None)],
+)
+def test_that_a_path_with_backslashes_is_told_how_it_is_written(tmp_path, path, code):
+    case = tmp_path / "case.toml"
+    wall = '[[wall]]\nname = "w"\nheight_m = 6.0\nthickness_m = 0.6\nmechanism = "two_sided"\nbase_z_m = 0.0\n'
+    case.write_text(f'{wall}[[record]]\nunit = "g"\nfile = "{path}"\n', encoding="utf-8")
+    if code is None:
+        assert read_case(case).record[0].file == path
+        return
+    with pytest.raises(InputError) as refused:
+        read_case(case)
+    assert refused.value.code == code and "single quotes" in str(refused.value) and "\n" not in str(refused.value)
+    case.write_text(f"{wall}[[record]]\nunit = \"g\"\nfile = '{path}'\n", encoding="utf-8")
+    assert read_case(case).record[0].file == path
