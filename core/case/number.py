@@ -38,7 +38,7 @@ def parse_quantity(text: str, unit: str, bare: float = 1.0) -> float:
 
     unit : of the key, empty for a number without one; bare : what a number without a unit is multiplied with
     """
-    match = _WITH_UNIT.fullmatch(text.strip())
+    match = None if _NUMBER.fullmatch(text.strip()) else _WITH_UNIT.fullmatch(text.strip())  # 6E-1 has no unit E-1
     if match is None:
         return parse_number(text) * bare
     value, factor = parse_number(match[1]), factor_to(match[2], unit)

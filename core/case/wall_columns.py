@@ -303,7 +303,8 @@ _BRACKET = re.compile(r"[\[(][^\[\]()]*[\])]")
 def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
     """Factor of each column: its unit, in the row of units, in brackets in the head or in both, over that of its key.
     What stands in the brackets of a number is a unit of the key, or the table is refused; a word beside the unit is a
-    remark, and so is what stands beside a word, unless it is a unit."""
+    remark, and so is what stands beside a word, unless it is a unit. A title that is the key of a case file has its
+    unit."""
     factors = []
     for k, key in enumerate(keys):
         kind, metadata = columns()[key].entry.metadata["kind"], columns()[key].entry.metadata
@@ -322,7 +323,8 @@ def _factors(keys: list, cells: list[str], heads: list[str]) -> list[float]:
             if factor is None or (kind in (*WORD_KINDS, "polygon") and factor != 1.0):
                 raise _unknown_unit(text, heads[k], unit, kind == "polygon")
             unit_factors.append(factor)
-        if not unit_factors and kind not in LENGTH_KINDS and unit not in MAY_BE_EMPTY:
+        names_it = heads[k].strip().lower() == key  # a key of a case file ends with its unit
+        if not unit_factors and kind not in LENGTH_KINDS and unit not in MAY_BE_EMPTY and not names_it:
             raise _unknown_unit("", heads[k], unit)
         if len(set(unit_factors)) > 1:
             raise InputError("two_units_of_column", column=heads[k][:60], named=named[1][:20], unit=named[0][:20])
@@ -345,7 +347,8 @@ def _unknown_unit(text: str, head: str, unit: str, alone: bool = False) -> Input
 
 
 def _cell(key: str, factor: float, cell: str, here: Sentence):
-    """Read the value of a cell. here : its place, for an error"""
+    """Read the value of a cell; lines of a text are one. here : its place, for an error"""
+    cell = " ".join(cell.splitlines())
     entry, words = columns()[key].entry, columns()[key].words
     kind = entry.metadata["kind"]
     if OLD_TIE.fullmatch(f"{key} {cell.lower()}"):

@@ -578,6 +578,21 @@ def test_that_a_separator_said_on_top_and_comments_are_read_over():
     assert named.name == "# a"  # a row with numbers is a wall, whatever it is called
 
 
+def test_that_titles_that_are_keys_need_no_unit_and_cells_are_read_as_people_write_them():
+    """A row of a comment, a note of two lines, 6E-1, and a thickness beside a height whatever its size: read as they
+    are, once."""
+    text = (
+        "name,height_m,thickness_m,mechanism,base_z_m,notes\n# of the surveyor,,,,,\n"
+        'w1,7.25,6,two_sided,0,"first line\nsecond line"\nw2,6.0,6E-1,two_sided,0,\n'
+    )
+    first, second = parse_wall_rows(text_rows(text))
+    assert (first.thickness_m, first.notes, second.thickness_m) == (6.0, "first line second line", 0.6)
+    with pytest.raises(InputError, match="unit"):
+        parse_wall_rows(text_rows(text.replace("height_m", "height")))
+    cm = text.replace("thickness_m", "thickness_m [cm]")
+    assert parse_wall_rows(text_rows(cm))[0].thickness_m == pytest.approx(0.06)
+
+
 @pytest.mark.parametrize("cell", ["1.250", "-1.250", "12.345.678"])
 def test_that_italian_thousands_are_asked_about(cell):
     with pytest.raises(InputError) as caught:
