@@ -12,8 +12,8 @@ BIDIRECTIONAL = frozenset("\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u206
 
 
 def key_of(name: str) -> str:
-    """Text by which a case file holds a name of the system: as it is, but for one with bytes that are no text, or with a
-    tab or a line break, which there is a slip."""
+    """Text by which a case file holds a name of the system: as it is, but for one with bytes that are no text, or with
+    a tab or a line break, which there is a slip."""
     try:
         name.encode()
     except UnicodeEncodeError:

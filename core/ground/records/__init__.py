@@ -14,7 +14,7 @@ from core.errors import InputError, RecordError
 from core.file_names import name_of, shown
 from core.ground.ground_motion import LARGE_PGA, SMALL_PGA, GroundMotion, check_step
 from core.ground.records import plausible, samples
-from core.ground.records.container import MEMBER_SEPARATOR, is_zip, member_of, sheet_of
+from core.ground.records.container import MEMBER_SEPARATOR, is_zip, member_of, sheet_of, tar_as_zip
 from core.ground.records.cut import refuse_cut
 from core.ground.records.grammar import UNITS, Options, Parsed, decode, quoted
 from core.ground.records.placement import structure_words
@@ -96,6 +96,10 @@ def read(path: Path, options: Options = Options(), scale: float = 1.0, name: str
 def _motion(content: bytes, path: Path, options: Options, scale: float, name: str) -> GroundMotion:
     if not content.strip():
         raise RecordError("empty_file")
+    if (packed := tar_as_zip(content)) is not None:
+        motion = _unpacked(packed, path, options, scale, name)
+        own = motion.format.removeprefix("zip, ")
+        return replace(motion, file_sha256=hashlib.sha256(content).hexdigest(), format=f"tar, {own}")
     refuse_signature(content)
     if is_zip(content):
         return _unpacked(content, path, options, scale, name)
@@ -278,7 +282,8 @@ def channels(path: Path, options: Options = Options()) -> tuple[str, ...]:
         names = tuple(error.values["names"])
     else:
         return ()
-    if not is_zip(read_regular(path, MAX_BYTES)[:4]):
+    content = read_regular(path, MAX_BYTES)
+    if not is_zip(content) and tar_as_zip(content) is None:
         return names
     all_names: list[str] = []
     for name in names:  # a member may have channels of its own

@@ -1,7 +1,9 @@
-"""Files that hold other files: the zips of ESM and ITACA as downloaded, workbooks of Excel."""
+"""Files that hold other files: the zips of ESM and ITACA as downloaded, the tars of K-NET, workbooks of Excel."""
 
+import gzip
 import io
 import re
+import tarfile
 import zipfile
 import zlib
 
@@ -57,6 +59,51 @@ BAD_ZIP = (
 
 def is_zip(content: bytes) -> bool:
     return content[:4] == b"PK\x03\x04"
+
+
+TAR_MARK, TAR_PLACE, GZIP = b"ustar", 257, b"\x1f\x8b"
+"""How an archive of tar says what it is, and where; how one packed by gzip begins."""
+
+MAX_TAR = 5 * MAX_UNPACKED
+"""Bytes of an archive of tar, unpacked by gzip."""
+
+
+def tar_as_zip(content: bytes) -> bytes | None:
+    """The files of an archive of tar, packed by gzip or not (.tar, .tar.gz, as K-NET sends them), as a zip that packs
+    nothing; None of another file. Raises RecordError for one that cannot be read."""
+    if content[:2] == GZIP:
+        content = _gunzipped(content)
+    if content[TAR_PLACE : TAR_PLACE + len(TAR_MARK)] != TAR_MARK:
+        return None
+    try:
+        made = io.BytesIO()
+        with tarfile.open(fileobj=io.BytesIO(content)) as tar, zipfile.ZipFile(made, "w") as folder:
+            for n, member in enumerate(tar):
+                if n > 10 * MAX_MEMBERS:
+                    raise RecordError("too_many_channels", n=n, most=MAX_MEMBERS)
+                stream = tar.extractfile(member) if member.isfile() else None
+                if stream is not None:
+                    folder.writestr(member.name, stream.read(MAX_UNPACKED + 1))
+    except (*BAD_ZIP, tarfile.TarError) as error:
+        if isinstance(error, RecordError):
+            raise
+        raise RecordError("bad_archive", reason=type(error).__name__) from None
+    return made.getvalue()
+
+
+def _gunzipped(content: bytes) -> bytes:
+    """What gzip packed, if that is an archive of tar: empty of another file. Raises RecordError."""
+    try:
+        with gzip.GzipFile(fileobj=io.BytesIO(content)) as stream:
+            begins = stream.read(TAR_PLACE + len(TAR_MARK))
+            if begins[TAR_PLACE:] != TAR_MARK:
+                return b""
+            body = begins + stream.read(MAX_TAR)
+    except BAD_ZIP:
+        return b""
+    if len(body) > MAX_TAR:
+        raise RecordError("unpacked_too_large", mb=len(body) / 1e6)
+    return body
 
 
 def member_of(content: bytes, asked: str | None) -> tuple[str, bytes, str | None, bool]:

@@ -36,8 +36,6 @@ def refuse_signature(content: bytes) -> None:
     for beginning, name, code in BEGINNINGS:
         if content.startswith(beginning):
             raise RecordError(code, format=name)
-    if content[257:262] == b"ustar":
-        raise RecordError("format_archive", format="tar")
     if content[:4] == b"PK\x03\x04" and _OPEN_DOCUMENT in content[30:120]:
         raise RecordError("format_sheet", format="OpenDocument .ods")
     if _SEED.match(content) and b"\x00" in content[:64]:
