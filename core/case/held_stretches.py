@@ -1,5 +1,6 @@
 """The stretches of a wall between floors and ties that are shown to hold it outward: it bends between them."""
 
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import replace
@@ -10,9 +11,10 @@ from core.case.above_hinge import cut_above_hinge
 from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
-from core.codes.vertical_bending import MIN_SLENDERNESS
+from core.codes.vertical_bending import MIN_SLENDERNESS, lowest_hinge, mechanism
 from core.known import require_value
 from core.units import G
+from core.wall.bending import strip_of
 from core.wall.masonry import PartAbove
 from core.wall.solids import contact_at
 
@@ -29,16 +31,71 @@ STUB_PUSH = 1.0
 
 
 class HeldStretch(NamedTuple):
-    """A stretch of a wall between two heights above its base [m], as a wall of its own."""
+    """A stretch of a wall between two heights above its base [m], as a wall of its own. gone : heights of the holds
+    without which it bends [m]"""
 
     low: float
     high: float
     wall: Wall
+    gone: tuple[float, ...] = ()
 
 
 def stands_outward(hold: Hold) -> bool:
     """Whether a floor, a roof, a ring beam or an anchor is said to hold a wall outward."""
     return hold.has_height and not hold.is_bar and hold.out_kn_m is not None
+
+
+MOST_SUBSETS = 32
+"""Sets of holds that are tried: of a wall with more, those without one of them."""
+
+
+def find_held_ways(wall: Wall) -> list[list[HeldStretch]]:
+    """The stretches of a wall with all its holds and, where a weak one gives way first and the others hold it up to a
+    larger push, those between these: an added hold never worsens a wall. Empty as `find_held_stretches` says."""
+    whole = find_held_stretches(wall)
+    if len(whole) < 2 or _start(whole) >= _start_of_bending(whole):
+        return [whole] if whole else []
+    *lower, highest = (stretch.high for stretch in whole)
+    sets = [kept for n in range(len(lower)) for kept in itertools.combinations(lower, n)]
+    sets = sets if len(sets) <= MOST_SUBSETS else [tuple(h for h in lower if h != gone) for gone in lower]
+    ways = []
+    for kept in sets:
+        gone = tuple(height for height in lower if height not in kept)
+        left = (_as_contact(hold) if _is_at(hold, gone) else hold for hold in wall.hold)
+        reduced = replace(wall, hold=tuple(hold for hold in left if hold is not None))
+        ways.append([stretch._replace(gone=gone) for stretch in find_held_stretches(reduced)])
+    best = max((way for way in ways if way and way[-1].high == highest), key=_start, default=[])
+    return [whole, best] if best and _start(best) > _start(whole) * (1.0 + 1e-9) else [whole]
+
+
+def _is_at(hold: Hold, heights: tuple[float, ...]) -> bool:
+    """Whether it holds a wall at one of some heights [m]."""
+    return hold.has_height and any(abs(require_value(hold.h_m) - height) <= SAME_HEIGHT for height in heights)
+
+
+def _as_contact(hold: Hold) -> Hold | None:
+    """A hold that has given way outward: it stops the wall inward alone; None of one that only pulled."""
+    return Hold("contact", hold.name, to_m=hold.h_m, evidence=hold.evidence) if hold.is_contact else None
+
+
+def _start(stretches: list[HeldStretch]) -> float:
+    """alpha at which the first of their holds gives way, stiff ones, or the first of them bends [-]."""
+    tops = [(stretch.wall, next(hold for hold in stretch.wall.hold if hold.h_m != 0.0)) for stretch in stretches]
+    holds = [require_value(top.out_kn_m) / (0.5 * _pushed(wall) + _pushed_beside(top)) for wall, top in tops]
+    return min(*holds, _start_of_bending(stretches))
+
+
+def _pushed_beside(top: Hold) -> float:
+    """Weight [kN/m] whose inertia goes to a hold beside its stretch."""
+    if not isinstance(top, ShareOfHold):
+        return 0.0
+    return top.beside_kn_m + (1e-3 * top.rocking.lever * top.rocking.weight if top.rocking else 0.0)
+
+
+def _start_of_bending(stretches: list[HeldStretch]) -> float:
+    """Least alpha_0 of some stretches [-]."""
+    strips = [strip_of(stretch.wall.in_si) for stretch in stretches]
+    return min(mechanism(strip, lowest_hinge(strip)).alpha0 for strip in strips)
 
 
 def find_held_stretches(wall: Wall) -> list[HeldStretch]:
@@ -142,7 +199,8 @@ def _share(level: Hold, height: float, share: float, beside: float = 0.0) -> Sha
     stands = share * require_value(level.out_kn_m)
     stiffness = None if level.stiffness_kn_m2 is None else share * level.stiffness_kn_m2
     shared = ShareOfHold(level.kind, level.name, h_m=height, out_kn_m=stands, in_kn_m=inward, beside_kn_m=beside)
-    return replace(shared, evidence=level.evidence, stiffness_kn_m2=stiffness)
+    stretched = None if level.is_bar else level.elongation_m
+    return replace(shared, evidence=level.evidence, stiffness_kn_m2=stiffness, elongation_m=stretched)
 
 
 def _outward_holds(wall: Wall) -> Iterator[Hold]:
@@ -185,7 +243,10 @@ def _levels(wall: Wall) -> list[Hold]:
             both = require_value(levels[-1].out_kn_m) + require_value(hold.out_kn_m)
             shown = levels[-1].evidence and hold.evidence
             stiff = [one.stiffness_kn_m2 for one in (levels[-1], hold) if one.stiffness_kn_m2 is not None]
-            levels[-1] = replace(levels[-1], out_kn_m=both, evidence=shown, stiffness_kn_m2=sum(stiff) or None)
+            stretches = [one.elongation_m for one in (levels[-1], hold)]
+            least = None if None in stretches else min(filter(None, stretches))  # brittle if one of both is
+            levels[-1] = replace(levels[-1], out_kn_m=both, evidence=shown, elongation_m=least)
+            levels[-1] = replace(levels[-1], stiffness_kn_m2=sum(stiff) or None)
         else:
             levels.append(hold)
     return _spaced(levels, MIN_SLENDERNESS * require_value(wall.thickness))

@@ -8,7 +8,7 @@ from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge, part_name
 from core.case.detached import leaf_label, make_leaf_wall
 from core.case.directions import directions_of, falls_all_ways
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
-from core.case.held_stretches import HeldStretch, find_held_stretches, highest_anchor
+from core.case.held_stretches import HeldStretch, find_held_ways, highest_anchor
 from core.case.held_top import mirror_inward
 from core.case.hold import Hold, hold_kind
 from core.case.schema import Case
@@ -53,7 +53,9 @@ class WallPart:
         spans between transverse walls its own; else None
     aspect : of what is not the wall itself but its outer leaf, or the wall in another direction, what tells it
     of : what it is the part of: the wall with the floors that bear on it, or that leaf or direction
-    inward : it bends inward there, between what stands behind it; held : between holds that are shown to hold it
+    inward : it bends inward there, between what stands behind it
+    held : between holds that are shown to hold it, 1 with all of them, 2 without those that have gone; 0 of another one
+    gone : heights of these above the base [m]
     """
 
     origin: int
@@ -64,7 +66,8 @@ class WallPart:
     aspect: str = ""
     of: Wall | None = None
     inward: bool = False
-    held: bool = False
+    held: int = 0
+    gone: tuple[float, ...] = ()
 
     @property
     def body(self) -> Wall:
@@ -87,7 +90,7 @@ class WallPart:
         if self.wall.arch is not None and self.top is not None and self.wall.kinematics.arches:
             return named_spanning(self.body.name, require_value(self.wall.arch.spacing_m))
         if self.held:
-            return f"{self.body.name} [{self.hinge:.4g}–{self.top:.4g} m]"
+            return f"{self.body.name} {held_stretch_name(self.hinge, self.top, self.gone)}"
         if self.top is not None:
             return named_between(self.body.name, self.hinge, self.top)
         return part_name(self.body.name, self.hinge)
@@ -214,35 +217,49 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
     spans = _spans_of_leaf(whole) if part.aspect else find_bending_spans(whole, hinges)
     bending = [replace(part, hinge=low, wall=cut_span(whole, low, high), top=high) for low, high in spans]
     inward = () if part.aspect else find_inward_spans(whole, hinges, spans)
-    held = () if part.aspect else find_held_stretches(whole)
+    held = () if part.aspect else find_held_ways(whole)
     return [
         *turning,
         *bending,
         *(_bent_inward(part, low, high) for low, high in inward),
-        *(_held_part(part, stretch) for stretch in held),
+        *(_held_part(part, stretch, n) for n, way in enumerate(held, start=1) for stretch in way),
     ]
 
 
-def _held_part(part: WallPart, stretch: HeldStretch) -> WallPart:
-    held = replace(part, hinge=stretch.low, wall=stretch.wall, top=stretch.high, held=True)
-    name = f"{part.wall.title} [{stretch.low:.4g}–{stretch.high:.4g} m]"
+def held_stretch_name(low: float, high: float | None, gone: tuple[float, ...]) -> str:
+    """What tells a stretch between holds: its heights, and those of the holds that have gone [m]."""
+    without = "".join(f", −{height:.4g}" for height in gone)
+    return f"[{low:.4g}–{high:.4g}{without} m]"
+
+
+def _held_part(part: WallPart, stretch: HeldStretch, way: int) -> WallPart:
+    held = replace(part, hinge=stretch.low, wall=stretch.wall, top=stretch.high, held=way, gone=stretch.gone)
+    name = f"{part.wall.title} {held_stretch_name(stretch.low, stretch.high, stretch.gone)}"
     return replace(held, wall=replace(stretch.wall, name=name))
 
 
-def best_way(parts: Sequence[WallPart], worst: Callable[[list[int]], Any]) -> list[int]:
-    """Numbers of the parts of a wall that count: an anchored wall bends between its holds as long as these hold, and
-    without them it turns; the better of both ways does, with what is looked at in either.
+def best_way(
+    parts: Sequence[WallPart], worst: Callable[[list[int]], Any], loses_hold: Callable[[int], bool]
+) -> list[int]:
+    """Numbers of the parts of a wall that count: an anchored wall bends between its holds as long as these hold. Where
+    one of them gives way before all else, and while the wall is at rest, the wall without it takes its place if that is
+    better: between the others, or as it turns. What is looked at in either way counts in both.
 
     worst : of parts by their numbers, what the worst of them comes to, the more the better
+    loses_hold : whether what decides about a part is a hold that gives way while the wall is at rest
     """
     top = max((require_value(part.top) for part in parts if part.held), default=None)
     numbers = list(range(len(parts)))
     if top is None:
         return numbers
     shared = [k for k in numbers if not parts[k].held and _counts_anyway(parts[k], top)]
-    held = [k for k in numbers if parts[k].held] + shared
-    free = [k for k in numbers if not parts[k].held]
-    return max((free, held), key=worst)
+    ways = [[k for k in numbers if parts[k].held == way] for way in (1, 2)]
+    counted = ways[0]
+    for way in (*filter(None, ways[1:]), [k for k in numbers if not parts[k].held]):
+        first = min(counted, key=lambda k: worst([k]))
+        if loses_hold(first) and worst(way + shared) > worst(counted + shared):
+            counted = way
+    return sorted({*counted, *shared})
 
 
 def _counts_anyway(part: WallPart, top: float) -> bool:
@@ -351,7 +368,8 @@ def count_wall_parts(asked: Wall, building: Building | None) -> int:
     hinges = turning_hinges(whole, building)
     between_ties = find_bending_spans(whole, hinges)
     bending = len(between_ties) + len(find_inward_spans(whole, hinges, between_ties))
-    return (1 + len(hinges)) * len(whole.mechanisms()) + bending + spans(whole) + len(find_held_stretches(whole))
+    held = sum(map(len, find_held_ways(whole)))
+    return (1 + len(hinges)) * len(whole.mechanisms()) + bending + spans(whole) + held
 
 
 def turns_above_ties(wall: Wall, hinge: float) -> bool:

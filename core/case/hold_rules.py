@@ -32,6 +32,9 @@ def check_holds(wall: Wall) -> None:
     here = (place("wall", name=wall.title),)
     for n, hold in enumerate(wall.hold, start=1):
         _check_hold(wall, hold, (*here, place("hold", n=n)))
+    bends = wall.kinematics.bends_up or any(stands_outward(hold) or hold.is_tie for hold in wall.hold)
+    if wall.base_friction is not None and not bends:
+        raise InputError("base_friction_unused", place=here, key="base_friction", out_kn_m=Key("out_kn_m"))
     spans = [n for n, hold in enumerate(wall.hold, start=1) if hold.spans]
     counted = wall.kinematics.bends_up or not any(stands_outward(hold) for hold in wall.hold)
     if not counted and not find_held_stretches(wall):

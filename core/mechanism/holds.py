@@ -110,9 +110,30 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
     if foot is not None:
         yield HoldLimit(FOOT, foot, push_at(lambda alpha: reaction_of_foot(sections, moving, alpha), foot), side)
         return
-    held = [Reach(require_value(wall.height), UNLIMITED, UNLIMITED)]
-    if not holds_at_rest(sections, held, alpha0 * (1.0 - 1e-6)):  # it slides before it bends
-        yield HoldLimit(BASE, wall.friction * sections.at(0.0).weight, multiplier_at_rest(sections, held), side)
+    reach = reach_of_top(wall, side)
+    if not holds_at_rest(sections, [reach], alpha0 * (1.0 - 1e-6)):  # it slides before it bends
+        push = multiplier_at_rest(sections, [reach])
+        if holds_at_rest(sections, [reach], push * (1.0 + 1e-6), UNLIMITED):  # else its top does not hold it there
+            yield HoldLimit(BASE, wall.friction * sections.at(0.0).weight, push, side)
+
+
+def reach_of_top(wall: Masonry, side: str) -> Reach:
+    """What the hold at the top of a wall gives as it moves to a side: inward it is pressed, which nothing bounds but
+    `in_kn_m`."""
+    declared = wall.declared
+    strength, pressed = require_value(declared.strength), declared.inward
+    forces = min(strength, UNLIMITED), UNLIMITED if pressed is None else pressed
+    return Reach(require_value(wall.height), *(forces if side != INWARD else forces[::-1]))
+
+
+def reaction_of_base(sections: Sections, moving: MovingStrip, alpha: float, side: str) -> float:
+    """Largest shear [N/m] of the joint at the base under pushes up to alpha [-]: at rest the least that what holds the
+    top leaves to it."""
+    if alpha >= moving.alpha0:
+        return moving.bound(alpha, at_base=True)
+    reach = reach_of_top(sections.wall, side)
+    most = min(reach.outward, greatest_at_top(sections, reach.height, alpha))
+    return max(0.0, base_reaction(sections, [most], alpha))
 
 
 def limit_of_ends(wall: Masonry, moving: MovingStrip) -> HoldLimit:

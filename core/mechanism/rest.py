@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.boundary import narrowed
+from core.known import require_value
 from core.mechanism.sections import Sections
 
 SECTIONS, ROUNDS = 12, 3
@@ -66,8 +67,8 @@ def greatest_reaction(sections: Sections, holds: Sequence[Reach], n: int, alpha:
     return _extreme(sections, holds, n, alpha, least=False)
 
 
-NEAR_TOP = 1e-7
-"""How near to the top its limit is taken [of the height]: nearer the digits of moment and lever cancel."""
+NEAR_HOLD = 1e-7
+"""How near to a hold its limit is taken [of the height]: nearer the digits of moment and lever cancel."""
 
 
 def greatest_at_top(sections: Sections, height: float, alpha: float) -> float:
@@ -89,8 +90,10 @@ def least_at_top(sections: Sections, height: float, alpha: float) -> float:
 def _over_levers(sections: Sections, height: float, alpha: float, of_moment: slice) -> np.ndarray:
     """(alpha S + moment)/(height - z) at the ends of each stretch and where it is extreme inside. of_moment : columns
     of its coefficients in `Sections.pieces`"""
-    pieces = sections.pieces[sections.pieces[:, 0] < height]
-    low, high = pieces[:, 0], np.minimum(pieces[:, 1], height * (1.0 - NEAR_TOP))
+    uncut = sections.height - require_value(sections.wall.thickness)  # above it no section opens, as no hinge does
+    highest = min(height * (1.0 - NEAR_HOLD), uncut)
+    pieces = sections.pieces[sections.pieces[:, 0] < highest]
+    low, high = pieces[:, 0], np.minimum(pieces[:, 1], highest)
     a, b, c = (alpha * pieces[:, 2:5] + pieces[:, of_moment]).T
     with np.errstate(divide="ignore", invalid="ignore"):
         inside = height - np.sqrt(height**2 + (b * height + a) / c)
@@ -139,12 +142,13 @@ def _reached(sections: Sections, holds: Sequence[Reach], alpha: float, friction:
     """States at the base, the corners of a convex polygon; empty where the wall does not stay at rest. friction : None
     leaves the base out"""
     heights = sorted({*sections.levels, *(hold.height for hold in holds)}, reverse=True)
+    uncut = sections.height - require_value(sections.wall.thickness)
     states: list[State] = [(0.0, 0.0)]
     for upper, lower in itertools.pairwise(heights):
         for hold in holds:
             if hold.height == upper:
                 states = _widened(states, -hold.inward, hold.outward)
-        states = _through_stretch(sections, states, upper, lower, alpha)
+        states = _through_stretch(sections, states, upper, lower, alpha, uncut)
         if not states:
             return []
     if friction is not None:
@@ -154,10 +158,12 @@ def _reached(sections: Sections, holds: Sequence[Reach], alpha: float, friction:
     return states
 
 
-def _through_stretch(sections: Sections, entering: list[State], upper: float, lower: float, alpha: float):
-    """States below a stretch in which nothing changes. The greatest moment is convex in z, so that it cuts between two
-    sections, where the line of a state touches it: those sections are added for the states that are left."""
+def _through_stretch(sections: Sections, entering: list[State], upper: float, lower: float, alpha: float, uncut: float):
+    """States below a stretch in which nothing changes. No section opens nearer to the top than the wall is thick, as no
+    hinge does: above the height uncut [m]. The greatest moment is convex in z, so that it cuts between two sections,
+    where the line of a state touches it: those sections are added for the states that are left."""
     places = [upper + (lower - upper) * k / SECTIONS for k in range(1, SECTIONS + 1)]
+    places += [uncut] if lower < uncut < upper else []
     # the greatest moment is a quadratic function of z over a stretch of constant section
     inside = sections.at_below(upper), sections.at(0.5 * (upper + lower)), sections.at(lower)
     ends = [section.greatest_moment(alpha) for section in inside]
@@ -170,6 +176,8 @@ def _through_stretch(sections: Sections, entering: list[State], upper: float, lo
         for z in sorted(set(places), reverse=True):
             states = [(m + s * (above - z), s) for m, s in states]
             section, above = sections.at(z), z
+            if z > uncut:
+                continue
             states = _cut(states, 1.0, 0.0, section.least_moment(alpha))
             states = _cut(states, -1.0, 0.0, -section.greatest_moment(alpha))
             if not states:

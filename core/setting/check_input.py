@@ -25,10 +25,9 @@ from core.mechanism.holds import (
     force_on_top,
     limit_of_ends,
     limits_of_bending,
+    reaction_of_base,
     reaction_of_foot,
-    reaction_of_top,
 )
-from core.mechanism.rest import base_reaction
 from core.mechanism.sections import Sections
 from core.rocking.methods import Method
 from core.setting.demand_input import find_generation_settings, generate_requested_motions
@@ -170,7 +169,7 @@ class CheckInput:
         if limit.hold == FOOT:
             return reaction_of_foot(sections, moving, alpha)
         if limit.hold == BASE:
-            return base_reaction(sections, [reaction_of_top(sections, moving, alpha)], alpha)
+            return reaction_of_base(sections, moving, alpha, limit.side)
         return force_on_top(sections, moving, alpha)
 
     @property

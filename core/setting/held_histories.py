@@ -1,7 +1,10 @@
 """What a wall that bends hands to its holds along its histories: the largest of all motions and signs."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
+
+import numpy as np
 
 from core.codes.vertical_bending import lowest_hinge, model_of_bending
 from core.ground.ground_motion import GroundMotion
@@ -9,6 +12,7 @@ from core.known import require_value
 from core.mechanism.bending_reactions import MovingStrip, impulse, kept_rate, reactions_of_history, speeds_at_return
 from core.rocking.history import History, integrate_history
 from core.rocking.methods import Method
+from core.rocking.outcome import STABLE
 from core.units import G
 from core.wall.rocking_model import RockingModel
 
@@ -60,21 +64,28 @@ class HeldHistories:
             if alpha <= self._least or max(side.bound(alpha, at_base) for side in self._sides) <= min(pulled, pushed):
                 break
             history, ground = self._follow(motion, share * scale), share * scale * motion.acceleration / G
+            if history.outcome != STABLE:  # a wall that falls pulls without bound, and its check says that it falls
+                continue
             both = reactions_of_history(*self._sides, history, ground, motion.time_step, at_base)
             pulled, pushed = max(pulled, both[0]), max(pushed, both[1])
         return pulled, pushed
 
-    def impulse(self, share: float) -> float:
-        """Largest impulse with which the hold at the top pulls at a share of the demand [N s/m]: of a wall that comes
-        back from inward."""
+    def impulses(self, share: float) -> tuple[float, float]:
+        """What a wall that comes back from inward gives to the hold at its top at a share of the demand: the largest
+        impulse [N s/m], and the largest root of the sum of the squares of those of one motion, whose work a hold that
+        yields has to take."""
         outward, inward = self._sides
-        back, largest = kept_rate(inward, outward), 0.0
+        back, largest, together = kept_rate(inward, outward), 0.0, 0.0
         for push, motion, scale in self._strongest_first:
             if share * push <= self._least:
                 break
-            speeds = speeds_at_return(self._follow(motion, share * scale), motion.time_step, back)
+            history = self._follow(motion, share * scale)
+            if history.outcome != STABLE:
+                continue
+            speeds = speeds_at_return(history, motion.time_step, back)
             largest = max(largest, impulse(inward, outward, float(speeds.max(initial=0.0))))
-        return largest
+            together = max(together, impulse(inward, outward, math.sqrt(float(np.sum(speeds**2)))))
+        return largest, together
 
     @property
     def starts_at(self) -> float:

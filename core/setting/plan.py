@@ -247,10 +247,10 @@ def _share_out_holds(
     """The walls of a study with the holds between two stretches shared out as the demand asks for it; what goes to a
     hold beside the wall below it is moved as the floor at its height is."""
     shared = list(entries)
-    for _, group in groupby(range(len(entries)), lambda k: entries[k].part.origin):
-        held = [k for k in group if entries[k].part.held]
+    for (_, way), group in groupby(range(len(entries)), lambda k: (entries[k].part.origin, entries[k].part.held)):
+        held = list(group)
         pushes = [_push_of(entries[k], demand) for k in held]
-        if not held or None in pushes:
+        if not way or None in pushes:
             continue
         alphas = [push for push in pushes if push is not None]
         stretches = [

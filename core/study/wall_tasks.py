@@ -231,7 +231,8 @@ class _Wall:
                 found = [evaluations[results[n]] for n in numbers]
                 return way_key((check.outcome, check.zeta, check.scene.demand.zeta_target) for check in found)
 
-            counted = best_way([self.entries[k].part for k in results], worst)
+            parts = [self.entries[k].part for k in results]
+            counted = best_way(parts, worst, lambda n: evaluations[results[n]].loses_hold)
             return any(OUTCOMES[evaluations[results[n]].outcome].judgement == FAILS for n in counted)
 
         return {origin for origin, results in walls.items() if fails(results)}

@@ -57,7 +57,8 @@ def _counted(walls: tuple[WallResult, ...], indices: list[int]) -> list[int]:
         verdicts = (walls[indices[n]].required_assessment.verdict for n in numbers)
         return way_key((verdict.code, verdict.zeta_e, verdict.zeta_target) for verdict in verdicts)
 
-    return [indices[n] for n in best_way([walls[k].part for k in indices], worst)]
+    parts = [walls[k].part for k in indices]
+    return [indices[n] for n in best_way(parts, worst, lambda n: walls[indices[n]].required_assessment.loses_hold)]
 
 
 def _lower_elsewhere(hinges: list[WallResult]) -> list[Sentence]:

@@ -76,6 +76,7 @@ class Assessment:
     risk : of the check that decides, None where it has no zeta
     states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
     reactions : of what holds a wall that bends, where its strength is known
+    loses_hold : what decides is a hold that gives way while the wall is at rest
     """
 
     kinematic: KinematicAnalysis | None
@@ -89,6 +90,7 @@ class Assessment:
     states: tuple[LimitStateCheck, ...] = ()
     bound_passes: bool | None = None
     reactions: tuple[Reaction, ...] = ()
+    loses_hold: bool = False
 
     @property
     def shown(self) -> tuple[tuple[Check, bool], ...]:
@@ -154,7 +156,7 @@ def assess_evaluation(
     reactions = find_reactions(scene, evaluation.holds, evaluation.zeta, dynamic)
     if not scene.wall.bends:
         reactions = reactions_of_turning(scene, kinematic, dynamic, evaluation.zeta)
-    return Assessment(*parts, bound_passes=stands, reactions=reactions)
+    return Assessment(*parts, bound_passes=stands, reactions=reactions, loses_hold=evaluation.loses_hold)
 
 
 def _limits(
@@ -170,7 +172,7 @@ def _limits(
     limits += _of_life_and_records(evaluation)
     limits += _branch_remark(evaluation)
     limits += _hold_remark(evaluation)
-    with_histories = evaluation.dynamic is not None
+    with_histories = evaluation.dynamic is not None or evaluation.beside is not None
     limits += [*_of_bending(kinematic, scene.wall, with_histories), *_of_ties_not_counted(evaluation)]
     limits += [] if unlooked else _of_ties_that_lower(evaluation, cancelled)
     return [*limits, *_of_a_thicker_wall(evaluation)]

@@ -17,6 +17,7 @@ from core.codes.vertical_bending import uplift_multiplier
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
 from core.known import require_value
+from core.mechanism.holds import FOOT, TOP
 from core.setting.check_input import CheckInput
 from core.text.sentence import Sentence, sentence
 from core.variation.hold_check import HoldState, check_of_holds, look_at_holds
@@ -85,6 +86,15 @@ class Evaluation:
     def low(self) -> float | None:
         """The lowest end of what zeta is known to be."""
         return self.dynamic.zeta_spread[0] if self.dynamic and self.dynamic.zeta_spread else self.zeta
+
+    @property
+    def loses_hold(self) -> bool:
+        """Whether what decides is a hold that gives way while the wall is at rest."""
+        if self.decides is None or self.decides.name != "hold" or not self.holds:
+            return False
+        first = self.holds[0]
+        start = self.scene.moving_to(first.limit.side)[1].alpha0
+        return first.limit.hold in (TOP, FOOT) and first.share * first.alpha <= start * (1.0 + 1e-9)
 
     def made(self, name: str) -> Check | None:
         """The check of this name, None where it was not made."""

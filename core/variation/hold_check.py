@@ -31,7 +31,8 @@ BEYOND_BOUND = 1.3
 class HoldState(NamedTuple):
     """A hold under the demand, by the clauses or by histories.
 
-    share : of the demand up to which it holds [-]; alpha : largest push of the demand [-]
+    share : of the demand up to which it holds [-], inf where it does as far as was looked; alpha : largest push of the
+        demand [-]
     asked, stands : at the demand [N/m]
     impulse : with which the wall pulls at it as it comes back from inward, at the demand [N s/m]; None where what holds
         has neither an elongation nor a stiffness, which has to take it
@@ -140,21 +141,29 @@ class _Followed:
             return []
 
         def asked(share: float) -> float:
-            """Strength with which an impulse is taken [N/m]."""
-            impulse = histories.impulse(share)
+            """Strength with which the impulses are taken [N/m]: a hold that yields stays stretched from one to the
+            next."""
+            largest, together = histories.impulses(share)
             if declared.elongation is not None:
-                return impulse**2 / (2.0 * histories.top_mass * declared.elongation)
-            return spring_force(impulse, declared.stiffness or 0.0, histories.top_mass)
+                return together**2 / (2.0 * histories.top_mass * declared.elongation)
+            return spring_force(largest, declared.stiffness or 0.0, histories.top_mass)
 
-        share, most = histories.starts_at, self.dynamic.zeta or self.scene.demand.zeta_target
-        while share < most and asked(share) <= limit.stands:
-            share *= 1.0 + IMPULSE_STEP
-        if share >= most:  # more was not followed, and nothing decides there
-            share = max(share, limit.share(alpha))
-        else:
-            share /= 1.0 + IMPULSE_STEP
+        before, share = histories.starts_at, math.inf  # of what is looked at nothing gives way
+        for place in self._shares_looked_at(histories.starts_at):
+            if asked(place) > limit.stands:
+                share = before
+                break
+            before = place
         state = HoldState(limit, BY_HISTORIES, share, alpha, asked(1.0), limit.stands)
-        return [state._replace(impulse=histories.impulse(1.0))]
+        return [state._replace(impulse=histories.impulses(1.0)[0])]
+
+    def _shares_looked_at(self, least: float) -> list[float]:
+        """Shares of the demand at which impulses are followed: up to zeta of the histories, the demand and what is
+        required among them. least : below which the wall does not move"""
+        most = self.dynamic.zeta or 0.0
+        count = math.ceil(math.log(most / least) / math.log1p(IMPULSE_STEP)) if most > least > 0.0 else 0
+        places = [least * (1.0 + IMPULSE_STEP) ** k for k in range(count)]
+        return sorted({*places, *(share for share in (1.0, self.scene.demand.zeta_target) if least < share <= most)})
 
 
 def find_motion_push(demand: SeismicDemand, scene: CheckInput) -> float:
@@ -174,7 +183,7 @@ def reaction_in_histories(scene: CheckInput, limit: HoldLimit, share: float) -> 
 
 def check_of_holds(states: Sequence[HoldState], demand: SeismicDemand) -> Check | None:
     """The check of what holds a wall: of all that hold it the one that gives way first. None without one."""
-    if not states:
+    if not states or not math.isfinite(states[0].share):
         return None
     first = states[0]
     passed = first.share >= demand.zeta_target - ZETA_ROUNDING
@@ -202,7 +211,7 @@ def find_reactions(
             state.asked if state.impulse is not None else taken(state, 1.0),
             taken(state, zeta) if known and zeta is not None and state.impulse is None else None,
             state.stands,
-            state.share,
+            state.share if math.isfinite(state.share) else None,
             state.impulse,
         )
         for state in states

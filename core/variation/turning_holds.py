@@ -1,5 +1,7 @@
 """What a wall that turns hands to its ties and to what stands behind it, as results."""
 
+import math
+
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.kinematic import KinematicAnalysis
 from core.mechanism.sections import Sections
@@ -25,13 +27,15 @@ def reactions_of_turning(
         return ()
     rows, sections, bars = [], Sections(wall), tuple(tie.bar for tie in wall.ties)
     if kinematic.acceleration_demand is not None:
-        alphas = [kinematic.acceleration_demand / G * share for share in (1.0, zeta) if share is not None]
-        for n, bar in enumerate(bars):
-            forces = [tie_forces(sections, wall.ties, alpha)[n] for alpha in alphas]
-            rows.append(Reaction(TIED, "outward", BY_CLAUSES, forces[0], forces[-1], bar.strength, None, None))
+        alpha = kinematic.acceleration_demand / G
+        there = None if zeta is None or not math.isfinite(zeta) else zeta * alpha
+        at_zeta = [None] * len(bars) if there is None else tie_forces(sections, wall.ties, there)
+        for bar, first, last in zip(bars, tie_forces(sections, wall.ties, alpha), at_zeta, strict=True):
+            rows.append(Reaction(TIED, "outward", BY_CLAUSES, first, last, bar.strength, None, None))
         if behind is not None:
-            forces = [force_behind(sections, behind, alpha) for alpha in alphas]
-            rows.append(Reaction(BEHIND, "inward", BY_CLAUSES, forces[0], forces[-1], None, None, None))
+            pressed = None if there is None else force_behind(sections, behind, there)
+            first = force_behind(sections, behind, alpha)
+            rows.append(Reaction(BEHIND, "inward", BY_CLAUSES, first, pressed, None, None, None))
     if dynamic is not None and dynamic.holds and (bars or behind is not None):
         rows += _history_rows(scene, sections, bars, behind)
     return tuple(rows)

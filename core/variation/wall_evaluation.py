@@ -159,4 +159,5 @@ def evaluate_wall(
         shown = not plan.entries[n].part.held or (hold is not None and hold.shows_strength)
         return code if shown or OUTCOMES[code].judgement != PASSES else "indicative"
 
-    return WallEvaluation(tuple(hinges[n] for n in best_way([entry.part for entry in plan.entries], worst)))
+    parts = [entry.part for entry in plan.entries]
+    return WallEvaluation(tuple(hinges[n] for n in best_way(parts, worst, lambda n: hinges[n].loses_hold)))
