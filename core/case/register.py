@@ -64,9 +64,11 @@ def row_of_part(part: WallPart, mechanism: str) -> RegisterRow:
     return RegisterRow(name, LOOKED_AT, part.hinge, top, part.hinge, direction)
 
 
-def row_passed_over(part: WallPart, mechanism: str, zeta: float | None) -> RegisterRow:
-    """The row of a part of a held wall of the way it does not take (`best_way`). zeta : the lowest of that way"""
-    why = sentence("mechanism", "holds_give_way" if part.held else "anchors_hold", zeta=Number(zeta))
+def row_passed_over(part: WallPart, mechanism: str, zeta: float | None, way: int) -> RegisterRow:
+    """The row of a part of a held wall of a way it does not take (`best_way`). zeta : the lowest of that way; way :
+    `WallPart.held` of the one it takes"""
+    goes = part.held != 0 and (way == 0 or part.held < way)
+    why = sentence("mechanism", "holds_give_way" if goes else "anchors_hold", zeta=Number(zeta))
     return row_of_part(part, mechanism)._replace(status=NOT_POSSIBLE, why=why)
 
 

@@ -21,8 +21,11 @@ def make_register(result: StudyResult, verdict: WallVerdict) -> list[Looked]:
     origin = results[0].part.origin
     passed_over = [wall for wall in result.walls if wall.part.origin == origin and wall not in results]
     rows = [Looked(row_of_part(wall.part, wall.mechanism), wall) for wall in results]
-    lowest = min_if_all_known(wall.required_assessment.verdict.zeta_e for wall in passed_over)
-    rest = [row_passed_over(wall.part, wall.mechanism, lowest) for wall in passed_over]
+    way, rest = max(wall.part.held for wall in results), []
+    for wall in passed_over:
+        same = (other for other in passed_over if other.part.held == wall.part.held)
+        lowest = min_if_all_known(other.required_assessment.verdict.zeta_e for other in same)
+        rest.append(row_passed_over(wall.part, wall.mechanism, lowest, way))
     names = {looked.row.name for looked in rows} | {row.name for row in rest}
     rest += other_rows([wall.part for wall in (*results, *passed_over)], names, result.case.building)
     return rows + [Looked(row) for row in sorted(rest, key=lambda row: row.status == NOT_POSSIBLE)]
