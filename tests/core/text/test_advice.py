@@ -145,6 +145,7 @@ CONDITION = {
     "tie_needs_rigid_law": "may overturn later",
     "to_set_aside": "each with a document",
     "no_arch": "what its ends push against",
+    "base_friction_unused": "is not looked at",
     "to_set_aside_stretch": "with a document",
 }
 """They name such an input together with what it takes: code -> words of it."""
