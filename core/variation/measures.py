@@ -63,6 +63,9 @@ and a wall that stands is seldom made thicker."""
 NEAR_TOP, LOWEST_TIE = 0.95, 0.6
 """Height of a tie in a wall of which no floor is known, and lowest height of one alone, of the wall [-]."""
 
+NEAR = 0.05
+"""Holds nearer than this are at one height [m]."""
+
 SHOWN = Document("calculation", "1")
 """What a floor that is proposed is held by: its connection is to be designed."""
 
@@ -239,6 +242,8 @@ def measure_kinds(setting: WallContext, sought: Hold | None = None) -> Iterator[
             yield MeasureKind("measure_hold", lambda force: hold_floors(wall, force, floors), *forces, floors)
         if len(floors) > 1:
             yield MeasureKind("measure_ties", lambda force: add_ties(wall, force, floors), *forces, floors)
+    if height is not None and wall.kinematics.bends_up:
+        yield MeasureKind("measure_hold", lambda force: hold_floors(wall, force, (height,)), *forces, (height,))
     if any(hold.spans for hold in wall.hold):
         yield MeasureKind("measure_ends", lambda force: hold_ends(wall, force), *forces)
     if any(load.is_thrust and (load.kn_m or 0.0) > 0.0 for load in wall.load):
@@ -277,7 +282,11 @@ def add_ties(wall: Wall, force: float, heights: tuple[float, ...], tie: Hold = P
 
 def hold_floors(wall: Wall, force: float, heights: tuple[float, ...]) -> Wall:
     """The wall with its floors at these heights connected to it, each to stand a force outward [kN/m]."""
-    others = tuple(hold for hold in wall.hold if hold.h_m not in heights or hold.is_bar)
+
+    def is_there(hold: Hold) -> bool:
+        return hold.h_m is not None and not hold.is_bar and any(abs(hold.h_m - height) <= NEAR for height in heights)
+
+    others = tuple(hold for hold in wall.hold if not is_there(hold))
     held = tuple(Hold("floor", h_m=height, out_kn_m=force, evidence=SHOWN) for height in heights)
     return replace(wall, hold=(*others, *held))
 

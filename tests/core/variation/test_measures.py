@@ -153,3 +153,21 @@ def test_that_a_wall_that_passes_asks_for_no_tie(sought):
     weak = replace(case, demand=replace(case.demand, ag_g=0.03))
     verdict = run(weak, base_dir=CHURCH.parent).verdicts[0]
     assert verdict.measures is None
+
+
+@pytest.mark.shows("verdict.measures")
+def test_that_the_hold_of_a_wall_held_at_its_top_is_made_stronger(sought):
+    """Its force is what the wall hands to it at the demand, the next tenth of a kN/m up: 3.1 as it is at rest."""
+    hold = {"kind": "roof", "h_m": 3.4, "out_kn_m": 1.5, "evidence": {"kind": "calculation", "reference": "A1"}}
+    wall = {"name": "w", "length_m": 8.0, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "mechanism": "vertical_bending"}
+    wall |= {"height_m": 3.4, "thickness_m": 0.35, "hold": [hold]}
+    wall["load"] = [{"kind": "vertical", "kn_m": 20.0, "d_m": 0.17, "h_m": 3.4, "mass": "none"}]
+    spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
+    table = {"wall": [wall], "demand": {"ag_g": 0.25, "spectrum": spectrum}, "analysis": {"histories": False}}
+    result = run(
+        rules.parse_case(table | {"building": {"height_m": 7.0, "storeys": 2, "period_s": 0.25}}), base_dir=Path()
+    )
+    found = result.verdicts[0].measures
+    asked = next(check for check in result.walls[0].assessment.checks if check.name == "hold").demand
+    (stronger,) = [one for one in found if one.code == "measure_hold"]
+    assert asked <= stronger.size <= asked + 0.2 and stronger.heights == (3.4,)
