@@ -321,20 +321,21 @@ def run(case: Case, base_dir: str | os.PathLike = ".", jobs: int | None = None) 
 def verdicts(result: StudyResult) -> list[dict[str, Any]]:
     """The verdict of each wall with its checks, assumptions and hinges, by the keys of the results
     (resources/docs/results.md)."""
-    return results(result)["verdicts"]
+    return results(_of(StudyResult, "result", result))["verdicts"]
 
 
 def table(result: StudyResult) -> dict[str, list]:
     """The rows of a study by column, a row for each wall, hinge and mechanism: ``pandas.DataFrame(table(result))``."""
-    return columns_of(result, range(len(result.case.wall)))
+    return columns_of(_of(StudyResult, "result", result), range(len(result.case.wall)))
 
 
 def save_parquet(result: StudyResult, path: str | os.PathLike) -> None:
     """Write `table` as a Parquet file, with the unit of each column. It takes the package pyarrow."""
+    rows, place = table(result), _path(path)
     metadata = {"program": f"{NAME} {VERSION}", "case_sha256": result.case.sha256}
     stream = io.BytesIO()
-    parquet_file.write(stream, [table(result)], metadata)
-    atomic_write.write({Path(path): stream.getvalue()})
+    parquet_file.write(stream, [rows], metadata)
+    atomic_write.write({place: stream.getvalue()})
 
 
 def study(path: str | os.PathLike = PAPER, quick: bool = False, jobs: int | None = None) -> list[dict[str, Any]]:
@@ -355,9 +356,10 @@ def study(path: str | os.PathLike = PAPER, quick: bool = False, jobs: int | None
     """
     from core.lab.research import parametric
 
-    asked, digest = read_study(_path(path))
-    asked = quick_study(asked) if quick else asked
-    made = parametric.run(asked, digest, base_dir=Path(path).parent, quick=quick, jobs=_threads(jobs))
+    place = _path(path)
+    asked, digest = read_study(place)
+    asked = quick_study(asked) if _of(bool, "quick", quick) else asked
+    made = parametric.run(asked, digest, base_dir=place.parent, quick=quick, jobs=_threads(jobs))
     return [
         {
             "mechanism": row.cell.mechanism,
@@ -406,9 +408,13 @@ def _of(kind: type[Kind], key: str, value: Any) -> Kind:
 
 def _path(path: Any) -> Path:
     place = Path(path if isinstance(path, os.PathLike) else _of(str, "path", path))
-    if "\0" in str(place):
+    if "\0" in str(place) or any(len(os.fsencode(part)) > MAX_NAME for part in place.parts):
         raise InputError("api_number", key="path", accepted="a path")
     return place
+
+
+MAX_NAME = 255
+"""Bytes of a name that a system takes."""
 
 
 NO_NUMBERS = str, bytes, bool, np.bool_, complex, np.complexfloating
@@ -418,7 +424,7 @@ def _number(key: str, value: Any, accepted: str, holds: Callable[[float], bool])
     """A number in its range. Raises InputError for another, and for a text."""
     try:
         number = math.nan if isinstance(value, NO_NUMBERS) else float(value)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         number = math.nan
     if not holds(number):
         raise InputError("api_number", key=key, accepted=accepted)
@@ -432,7 +438,7 @@ def _row(key: str, values: Any) -> np.ndarray:
         if row.ndim != 1 or row.dtype.kind not in "iuf" or np.ma.is_masked(values):
             raise ValueError
         return row.astype(float)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise InputError("api_samples", key=key) from None
 
 
@@ -445,11 +451,15 @@ def _threads(jobs: Any) -> int:
 def _plain(value: Any) -> Any:
     """What numpy made as what a case file holds, throughout a mapping."""
     if isinstance(value, dict):
+        if not all(isinstance(key, str) for key in value):
+            raise InputError("api_number", key="keys", accepted="texts as keys")
         return {key: _plain(one) for key, one in value.items()}
-    if isinstance(value, list | tuple):
+    if isinstance(value, np.ma.MaskedArray):
+        raise InputError("api_number", key="keys", accepted="numbers without a mask")
+    if isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim > 0):
         return [_plain(one) for one in value]
     if isinstance(value, np.ndarray):
-        return [_plain(one) for one in value]
+        return _plain(value[()])
     if isinstance(value, np.float32 | np.float16):  # 4.1 in single precision is meant as 4.1
         return float(str(value))
     return value.tolist() if isinstance(value, np.generic) else value
@@ -467,6 +477,7 @@ def _model(wall: Wall, ground: GroundMotion, asked: str | None) -> RockingModel:
 def _mechanism(wall: Wall, asked: str | None) -> str:
     """The mechanism that is asked for, or the only one of a wall."""
     known = wall.mechanisms()
+    asked = asked if asked is None else _of(str, "mechanism", asked)
     if asked is None and len(known) == 1:
         return known[0]
     if asked not in known:

@@ -65,7 +65,6 @@ SHOWN_BY = {
     "variation/hold_check": "tests/core/mechanism/test_holds.py",
     "variation/turning_holds": "tests/core/mechanism/test_turning_reactions.py",
     "codes/annex": "tests/core/codes/test_spectrum_codes.py",
-    "api": "tests/test_notebooks.py",
     "report/note/plan_figure": "tests/core/report/test_key_plan.py",
     "report/note/brief": "tests/core/report/test_pdf.py",
     "report/note/record_parts": "tests/core/report/test_selection_rows.py",
