@@ -452,10 +452,10 @@ def _plain(value: Any) -> Any:
     """What numpy made as what a case file holds, throughout a mapping."""
     if isinstance(value, dict):
         if not all(isinstance(key, str) for key in value):
-            raise InputError("api_number", key="keys", accepted="texts as keys")
+            raise InputError("api_number", key="keys", accepted="dict[str, …]")
         return {key: _plain(one) for key, one in value.items()}
     if isinstance(value, np.ma.MaskedArray):
-        raise InputError("api_number", key="keys", accepted="numbers without a mask")
+        raise InputError("api_number", key="keys", accepted="1, 2.5, …")
     if isinstance(value, list | tuple) or (isinstance(value, np.ndarray) and value.ndim > 0):
         return [_plain(one) for one in value]
     if isinstance(value, np.ndarray):

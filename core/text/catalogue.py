@@ -101,9 +101,10 @@ def content_of(path):
 
 
 def in_its_place(text, english):
-    """A translated text where it can stand for the English one: a text, with the same placeholders; else that."""
+    """A translated text where it can stand for the English one: a text, with the same placeholders of the same formats
+    (0.69 with none of its decimals is 1); else that."""
     try:
-        named = [{name for _, name, _, _ in Formatter().parse(one) if name is not None} for one in (text, english)]
+        named = [{part[1:] for part in Formatter().parse(one) if part[1] is not None} for one in (text, english)]
     except (TypeError, ValueError):
         return english
     return text if named[0] == named[1] else english

@@ -21,7 +21,7 @@ from core.errors import InputError, place, section
 from core.ground.records.signatures import BEGINNINGS
 from core.lab.solved.cases import SUBJECTS, cases_of
 from core.packages import PACKAGES
-from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue
+from core.text.catalogue import CATALOGUE, FOLDER, GROUPS, Catalogue, in_its_place
 from core.text.sentence import FormNames, Key, Quantity, capital, localized, sentence
 from tests.conftest import ROOT
 from tests.trees import nodes_of
@@ -306,3 +306,25 @@ def test_that_every_kind_of_load_has_its_words():
         assert kind in wall_columns.LOAD_KINDS.values()
         for words, said in zip(CATALOGUE["word"][f"choice_{kind}"], CATALOGUE["key"]["load.kind.help"], strict=True):
             assert words in said, kind
+
+
+@pytest.mark.parametrize(
+    ("text", "stands"),
+    [
+        ("ζ {zeta:.2f} per {wall}", True),
+        ("ζ {zeta:.0f} per {wall}", False),
+        ("ζ {zeta} per {wall}", False),
+        ("ζ {zeta:.2f}", False),
+        ("ζ {zeta:.2f} per {wall!r}", False),
+        ("ζ {zeta:.2f} per {wall} {more}", False),
+        ("ζ {zeta:.2f} per {wall", False),
+        (0.69, False),
+    ],
+)
+def test_that_a_translation_with_other_placeholders_or_formats_is_english(text, stands):
+    """0.69 without its decimals would be read as 1."""
+    english = "ζ {zeta:.2f} of {wall}"
+    assert in_its_place(text, english) == (text if stands else english)
+    assert all(
+        in_its_place(italian, plain) == italian for group in CATALOGUE for plain, italian in CATALOGUE[group].values()
+    )
