@@ -25,6 +25,7 @@ from app.input.wall_text import (
     add_building_loads,
     contents_of,
     convert_shape_keys,
+    deciding_hinge,
     differences,
     estimate_lines,
     hinge_zetas,
@@ -235,9 +236,9 @@ class WallForm(WallEditor):
 
     def _show_sizes(self) -> None:
         wall = self.wall
-        self.drawing.show_wall(
-            add_building_loads(self.session.case, wall), hinge_zetas(self.session, self.current) if wall else []
-        )
+        k = self.current
+        marks = (hinge_zetas(self.session, k), deciding_hinge(self.session, k)) if wall else ([], None)
+        self.drawing.show_wall(add_building_loads(self.session.case, wall), *marks)
         if wall is not None:
             self._show_geometry(wall)
             return

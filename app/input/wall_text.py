@@ -22,9 +22,11 @@ from core.case.variant_names import AS_IS, DESIGNED
 from core.case.wall import Wall
 from core.codes.target_spectrum import velocity_integral
 from core.errors import InputError
+from core.report.verdict_words import tone_of
 from core.setting.demand_input import read_demand
 from core.study import wall_result
 from core.study.variants import changed_keys
+from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import capital, choice, notice
 from core.wall.block import Block
 from core.wall.kinematics import kinematics
@@ -66,23 +68,27 @@ def estimate_lines(session: Session, wall: Wall) -> list[str]:
 
 
 def hinge_zetas(session: Session, k: int) -> list[tuple[float, float | None]]:
-    """Every hinge of the k-th wall above its base [m], with the smallest zeta found there, None where none is."""
+    """Every hinge of the k-th wall above its base [m], with the zeta by which the run judges it, None without one."""
     case, result = session.case, None if session.stale else session.result
-    by_hinge = []
+    found: dict[float, float | None] = {}
+    if result is not None and (own := next((wall for wall in result.walls if wall.part.origin == k), None)) is not None:
+        found = dict(zeta_by_hinge(result, own))
     try:
         heights = [0.0, *hinges_of(case.wall[k], case.building)]
-        for hinge in heights if len(heights) > 1 else ():
-            zetas = [
-                wall.assessment.verdict.zeta_e
-                for wall in (result.walls if result else ())
-                if (wall.part.origin, wall.part.hinge) == (k, hinge)
-                and wall.assessment
-                and wall.assessment.verdict.zeta_e
-            ]
-            by_hinge.append((hinge, min(zetas) if zetas else None))
+        return [(hinge, found.get(hinge)) for hinge in heights] if len(heights) > 1 else []
     except (InputError, TypeError, ZeroDivisionError):  # work in progress
         return []
-    return by_hinge
+
+
+def deciding_hinge(session: Session, k: int) -> tuple[float, str] | None:
+    """Height above the base of the k-th wall of the hinge that decides about it [m], and the tone of its outcome; None
+    without a run, and where the wall bends."""
+    result = None if session.stale else session.result
+    for verdict in result.verdicts if result else ():
+        wall = result.walls[verdict.governing] if result else None
+        if result is not None and wall is not None and wall.part.origin == k:
+            return (wall.part.hinge, tone_of(result, wall)) if wall.part.turns else None
+    return None
 
 
 SHAPE_KEYS = ("height_m", "thickness_m", "slenderness_deg", "height_over_thickness", "radius_m", "inertia_over_mass_m2")

@@ -110,7 +110,7 @@ class BodyDrawing:
         first, last = self.along
         for level, zeta in hinges:
             y = base.y() - scale * level
-            painter.setPen(QPen(QColor(theme.current.bad), 1.2, Qt.PenStyle.DashLine))
+            painter.setPen(QPen(QColor(theme.current.ink), 1.2, Qt.PenStyle.DashLine))
             painter.drawLine(QPointF(base.x() + scale * first, y), QPointF(base.x() + scale * last, y))
             painter.setPen(QColor(theme.current.ink))
             if zeta is not None:

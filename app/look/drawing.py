@@ -164,6 +164,7 @@ class WallDrawing(QWidget):
         self.holds: list[HoldMark] = []
         self.bars: list[tuple[float, int]] = []
         self.hinges: list[tuple[float, float | None]] = []
+        self.decides: tuple[float, str] | None = None
         self.body = BodyDrawing()
         self.rotation = 0.0
         self._shown: tuple[Wall | None, list] = (None, [])
@@ -172,12 +173,18 @@ class WallDrawing(QWidget):
         """Room [m] that it has at least: of another drawing beside it, so that both have one scale."""
         self.setMinimumSize(QSize(90, 120))
 
-    def show_wall(self, wall: Wall | None, hinges: Sequence[tuple[float, float | None]] = ()) -> None:
+    def show_wall(
+        self,
+        wall: Wall | None,
+        hinges: Sequence[tuple[float, float | None]] = (),
+        decides: tuple[float, str] | None = None,
+    ) -> None:
         """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
-        it has more than the one at its base. What is shown already is not painted again."""
-        if (wall, list(hinges)) == self._shown:
+        it has more than the one at its base; decides : height of the one that decides, and the tone of its outcome.
+        What is shown already is not painted again."""
+        if (wall, [*hinges, decides]) == self._shown:
             return
-        self._shown = wall, list(hinges)
+        self._shown, self.decides = (wall, [*hinges, decides]), decides
         self.size_of, self.arrows, self.holds, self.bars, self.hinges = None, [], [], [], list(hinges)
         self.body = BodyDrawing()
         self.bent, self.held, self.plan, self.leaf = Bent(), None, None, ()
@@ -384,13 +391,13 @@ class WallDrawing(QWidget):
             painter.drawLine(*map(place, ends))
 
     def _zetas(self, painter, place) -> None:
-        """zeta at each hinge, the smallest in red and bold."""
-        known, font = [zeta for _, zeta in self.hinges if zeta is not None], QFont(self.font())
+        """zeta at each hinge, that of the one that decides bold and in the colour of its outcome."""
+        font, (place_of, tone) = QFont(self.font()), self.decides or (math.nan, "")
         for level, zeta in self.hinges:
             if zeta is not None:
-                weakest = zeta == min(known)
-                painter.setPen(QColor(theme.current.bad if weakest else theme.current.ink))
-                font.setBold(weakest)
+                decides = level == place_of
+                painter.setPen(QColor(getattr(theme.current, tone or "ink") if decides else theme.current.ink))
+                font.setBold(decides)
                 painter.setFont(font)
                 words = f"ζ {number(zeta, '.2f')}"
                 at = place(QPointF(self.body.ends[0], level))
