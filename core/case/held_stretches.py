@@ -61,7 +61,7 @@ def find_held_ways(wall: Wall) -> list[list[HeldStretch]]:
     ways = []
     for kept in sets:
         gone = tuple(height for height in lower if height not in kept)
-        left = (_as_contact(hold) if _is_at(hold, gone) else hold for hold in wall.hold)
+        left = (_weakened(hold) if _is_at(hold, gone) else hold for hold in wall.hold)
         reduced = replace(wall, hold=tuple(hold for hold in left if hold is not None))
         ways.append([stretch._replace(gone=gone) for stretch in find_held_stretches(reduced)])
     best = max((way for way in ways if way and way[-1].high == highest), key=_start, default=[])
@@ -73,7 +73,7 @@ def _is_at(hold: Hold, heights: tuple[float, ...]) -> bool:
     return hold.has_height and any(abs(require_value(hold.h_m) - height) <= SAME_HEIGHT for height in heights)
 
 
-def _as_contact(hold: Hold) -> Hold | None:
+def _weakened(hold: Hold) -> Hold | None:
     """A hold that has given way outward: it stops the wall inward alone; None of one that only pulled."""
     return Hold("contact", hold.name, to_m=hold.h_m, evidence=hold.evidence) if hold.is_contact else None
 

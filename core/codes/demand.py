@@ -19,6 +19,10 @@ questioned."""
 LARGE_SCALING = 3.0
 """Scale factors of a record above this one are warned of."""
 
+MIN_SHARE_OF_DEMAND = 1.0 / LARGE_SCALING
+"""Share of a_g S below which records as given tell nothing of how much more than them a wall bears: the factor they
+lack is one that is warned of."""
+
 
 @dataclass(frozen=True)
 class SeismicDemand:

@@ -63,7 +63,7 @@ def _replace_strength(stretch: Wall, hold: Hold, strength: float) -> Wall:
     inward = None if hold.in_kn_m is None else ratio * hold.in_kn_m
     stiffness = None if hold.stiffness_kn_m2 is None else ratio * hold.stiffness_kn_m2
     own = replace(hold, out_kn_m=strength, in_kn_m=inward, stiffness_kn_m2=stiffness)
-    return replace(stretch, hold=tuple(own if other.h_m == hold.h_m else other for other in stretch.hold))
+    return replace(stretch, hold=tuple(own if each.h_m == hold.h_m else each for each in stretch.hold))
 
 
 def _largest(stretch: Wall, push: float, reaction: Callable[[Sections, MovingStrip, float], float]) -> float:

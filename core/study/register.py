@@ -23,8 +23,8 @@ def make_register(result: StudyResult, verdict: WallVerdict) -> list[Looked]:
     rows = [Looked(row_of_part(wall.part, wall.mechanism), wall) for wall in results]
     way, rest = max(wall.part.held for wall in results), []
     for wall in passed_over:
-        same = (other for other in passed_over if other.part.held == wall.part.held)
-        lowest = min_if_all_known(other.required_assessment.verdict.zeta_e for other in same)
+        same = (each for each in passed_over if each.part.held == wall.part.held)
+        lowest = min_if_all_known(each.required_assessment.verdict.zeta_e for each in same)
         rest.append(row_passed_over(wall.part, wall.mechanism, lowest, way))
     names = {looked.row.name for looked in rows} | {row.name for row in rest}
     rest += other_rows([wall.part for wall in (*results, *passed_over)], names, result.case.building)

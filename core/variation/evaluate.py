@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from core.codes.demand import MIN_SHARE_OF_DEMAND
 from core.codes.dynamic_check import DynamicCheck
 from core.codes.elastic_branch import can_have_branch, wants_branch
 from core.codes.evidence import Circumstances, Evidence, governing_check
@@ -216,13 +217,15 @@ def _place_hold(evaluation: Evaluation, hold: Check | None) -> tuple[Check, ...]
 
 def _with_histories(made: tuple[Check, ...], dynamic: DynamicCheck | None, scene: CheckInput) -> tuple[Check, ...]:
     """The checks with that by histories, which decides: under records as given that are weaker than the demand a wall
-    may fail, and how much more it bears is not known; then the others decide, where they are made."""
+    may fail, and how much more it bears is not known; then the others decide, where they are made. Of records that no
+    usual factor brings to the demand zeta says nothing."""
     if dynamic is None:
         return made
-    check = dynamic.as_check(scene.demand.zeta_target)
-    if scene.demand.weak_share is None or check.passed is False:
+    check, share = dynamic.as_check(scene.demand.zeta_target), scene.demand.weak_share
+    near = share is None or share >= MIN_SHARE_OF_DEMAND
+    if share is None or check.passed is False or (near and not made):
         return (check, *made)
-    return (*made, replace(check, zeta=None, passed=None))
+    return (*made, check if near else replace(check, zeta=None, passed=None))
 
 
 def _worse_first(evaluation: Evaluation) -> tuple[Check, ...]:

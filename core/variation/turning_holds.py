@@ -28,12 +28,12 @@ def reactions_of_turning(
     rows, sections, bars = [], Sections(wall), tuple(tie.bar for tie in wall.ties)
     if kinematic.acceleration_demand is not None:
         alpha = kinematic.acceleration_demand / G
-        there = None if zeta is None or not math.isfinite(zeta) else zeta * alpha
-        at_zeta = [None] * len(bars) if there is None else tie_forces(sections, wall.ties, there)
+        at_end = None if zeta is None or not math.isfinite(zeta) else zeta * alpha
+        at_zeta = [None] * len(bars) if at_end is None else tie_forces(sections, wall.ties, at_end)
         for bar, first, last in zip(bars, tie_forces(sections, wall.ties, alpha), at_zeta, strict=True):
             rows.append(Reaction(TIED, "outward", BY_CLAUSES, first, last, bar.strength, None, None))
         if behind is not None:
-            pressed = None if there is None else force_behind(sections, behind, there)
+            pressed = None if at_end is None else force_behind(sections, behind, at_end)
             first = force_behind(sections, behind, alpha)
             rows.append(Reaction(BEHIND, "inward", BY_CLAUSES, first, pressed, None, None, None))
     if dynamic is not None and dynamic.holds and (bars or behind is not None):

@@ -144,7 +144,7 @@ CONDITION = {
     "two_sided_loads_rigid": "assume a restraint behind",
     "tie_needs_rigid_law": "may overturn later",
     "to_set_aside": "each with a document",
-    "no_arch": "what its ends push against",
+    "no_arch": "was not checked",
     "base_friction_unused": "is not looked at",
     "to_set_aside_stretch": "with a document",
 }

@@ -108,7 +108,8 @@ def test_that_fc_on_the_other_side_is_looked_at_too_unless_it_is_not_asked(asked
         assert (every, searched, cancelled()) == (Precision(COARSE), other, False)
         return history(1.3)
 
-    assert evaluate(replace(scene_of(), ground=(MOTION,), histories=said), **asked).zeta == 1.3
+    scene = replace(scene_of(), ground=(MOTION,), histories=said, histories_off=False)
+    assert evaluate(scene, **asked).zeta == 1.3
 
 
 def test_that_a_wall_above_the_ground_has_no_check_without_its_building():

@@ -150,7 +150,8 @@ def test_that_it_has_histories_as_other_walls_have(folder):
     assert stated.history_bound >= 1e-9 and stated.noise_effect < 1e-9 and rocks.accuracy.points
     assert stated.spread(0, stated.rounded) < 0.05 and stated.held and not rocks.accuracy.held
     dynamic = bends.assessment.dynamic
-    assert bends.assessment.checks[0].name == "dynamic" and "no_histories" not in codes(bends)
+    made = {check.name for check in bends.assessment.checks}  # of records weaker than the demand the clauses decide
+    assert "dynamic" in made and "no_histories" not in codes(bends)
     motions = list(bends.floor.motions)
     worst = min(
         run_dynamic_check(branch.of(bends.model), motions, (1,), result.demand, result.method, Precision(COARSE)).zeta
