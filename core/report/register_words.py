@@ -8,6 +8,7 @@ from core.report.verdict_words import names_in
 from core.study.register import Looked, make_register
 from core.study.results import StudyResult, WallVerdict
 from core.text.sentence import Sentence, format_number, localized, word
+from core.variation.hold_check import Reaction
 
 COLUMN_SHARES = (2.2, 2.2, 1.3, 0.7, 3.6)
 """Widths of the columns."""
@@ -57,11 +58,51 @@ def not_possible(result: StudyResult, verdict: WallVerdict, language: str) -> st
     return f"{_word(NOT_POSSIBLE, language).capitalize()}: {'; '.join(each)}." if each else ""
 
 
+REACTION_WORDS = {
+    "top": "takes_top",
+    "base": "takes_base",
+    "foot": "takes_foot",
+    "ends": "takes_ends",
+    "tie": "takes_tie",
+    "behind": "takes_behind",
+}
+"""Hold of a reaction -> its word."""
+
+
+def reactions_line(result: StudyResult, verdict: WallVerdict, say: Callable[..., str], language: str) -> str:
+    """What the holds of a wall take at the demand, of each the most that any of its mechanisms hands to it beside what
+    it stands; "" of a wall without."""
+    rows: dict[str, Reaction] = {}
+    for k in verdict.results:
+        for row in result.walls[k].required_assessment.reactions:
+            most = rows.setdefault(row.hold, row)
+            if _strain(row) > _strain(most):
+                rows[row.hold] = row
+
+    def told(row: Reaction) -> str:
+        asked = format_number(1e-3 * row.at_demand, ".1f", language)
+        words = [_word(REACTION_WORDS[row.hold], language), asked]
+        if row.stands is not None:
+            words.append(say("of {stands}", stands=format_number(1e-3 * row.stands, ".1f", language)))
+        if row.impulse:
+            words.append(f"({format_number(row.impulse, '.0f', language)} N s/m)")
+        return " ".join(words)
+
+    each = ", ".join(map(told, rows.values()))
+    return say("Taken at the demand [kN/m]: {each}.", each=each) if each else ""
+
+
+def _strain(row: Reaction) -> tuple[float, float]:
+    """How near a hold is to what it stands; of what is not compared how much it takes."""
+    return (row.at_demand / row.stands if row.stands else 0.0), row.at_demand
+
+
 def describe_lines(result: StudyResult, verdict: WallVerdict, say: Callable[..., str], language: str) -> list[str]:
     """The register as lines: what is looked at, set aside and left out, and at last what is not possible."""
     rows = describe_rows(result, verdict, say, language)
     lines = [", ".join(filter(None, (*head, zeta and f"ζ {zeta}", outcome))) for *head, zeta, outcome in rows]
-    return [line for line in (*lines, not_possible(result, verdict, language)) if line]
+    last = reactions_line(result, verdict, say, language), not_possible(result, verdict, language)
+    return [line for line in (*lines, *last) if line]
 
 
 def _cells(looked: Looked, say: Callable[..., str], language: str) -> list[str]:

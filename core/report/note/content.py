@@ -284,7 +284,9 @@ def register_parts(result: StudyResult, wall: WallResult, words: Words, brief: b
     describe = register_words.describe_briefly if brief else register_words.describe_rows
     rows = describe(result, verdict, words.say, words.language)
     table = Table(register_words.column_heads(words.say), rows, register_words.COLUMN_SHARES)
-    return [table, Paragraph(register_words.not_possible(result, verdict, words.language), "quiet")]
+    taken = register_words.reactions_line(result, verdict, words.say, words.language)
+    last = [taken, register_words.not_possible(result, verdict, words.language)]
+    return [table, *(Paragraph(line, "quiet") for line in last if line)]
 
 
 def check_bars(result: StudyResult, wall: WallResult, words: Words) -> Bars:
