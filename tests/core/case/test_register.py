@@ -11,7 +11,7 @@ from core.case.wall_table import parse_wall_rows
 from core.codes.outcomes import OUTCOMES, PASSES
 from core.errors import InputError
 from core.report import json_report
-from core.report.register_words import describe_lines, describe_rows
+from core.report.register_words import describe_lines, describe_rows, reactions_line
 from core.study.register import make_register
 from core.study.run import run
 from core.text.sentence import localized
@@ -180,7 +180,8 @@ def test_that_the_register_stands_in_json_and_in_words_of_both_languages():
         rows = describe_rows(result, result.verdicts[0], say, language)
         assert len(rows) == sum(looked.row.status != NOT_POSSIBLE for looked in register)
         lines = describe_lines(result, result.verdicts[0], say, language)
-        assert len(lines) == len(rows) + 1 and all("{" not in line for line in lines)
+        taken = reactions_line(result, result.verdicts[0], say, language)
+        assert len(lines) == len(rows) + 2 and taken in lines and all("{" not in line for line in lines)
 
 
 def test_that_only_a_part_about_the_base_says_what_is_left_out():
