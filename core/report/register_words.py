@@ -94,7 +94,7 @@ def reactions_line(result: StudyResult, verdict: WallVerdict, say: Callable[...,
 
 def _strain(row: Reaction) -> tuple[float, float]:
     """How near a hold is to what it stands; of what is not compared how much it takes."""
-    return (row.at_demand / row.stands if row.stands else 0.0), row.at_demand
+    return (0.0 if row.stands is None else row.at_demand / max(row.stands, 1e-9)), row.at_demand
 
 
 def describe_lines(result: StudyResult, verdict: WallVerdict, say: Callable[..., str], language: str) -> list[str]:
