@@ -7,7 +7,8 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from core.case.above_hinge import cut_above_hinge
+from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge
+from core.case.held_top import mirror_inward
 from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
@@ -26,18 +27,27 @@ BRITTLE = 0.5
 """Share of its force that a tie which stands no elongation beyond yield holds: the wall runs into it."""
 
 
-STUB_PUSH = 1.0
-"""alpha that a part above the highest hold stands which is too stocky to be looked at: more than a floor moves with."""
+STUB_PUSH = 1.4
+"""alpha that what is above the highest hold stands where it is not looked at: a plain block that stands more is too
+stocky to rock, its restitution (Eq. 4) is negative beyond 1.41."""
+
+
+BENDS_WELL_BEFORE = 1.25
+"""Multiple of the alpha at which a wall bends at which its weakest hold would give way, from which that is not looked
+at: the demand shares out what a hold stands between two stretches a little differently."""
 
 
 class HeldStretch(NamedTuple):
-    """A stretch of a wall between two heights above its base [m], as a wall of its own. gone : heights of the holds
-    without which it bends [m]"""
+    """A stretch of a wall between two heights above its base [m], as a wall of its own.
+
+    gone : heights of the holds without which it bends [m]; inward : mirrored, over holds that stop nothing inward
+    """
 
     low: float
     high: float
     wall: Wall
     gone: tuple[float, ...] = ()
+    inward: bool = False
 
 
 def stands_outward(hold: Hold) -> bool:
@@ -45,27 +55,73 @@ def stands_outward(hold: Hold) -> bool:
     return hold.has_height and not hold.is_bar and hold.out_kn_m is not None
 
 
-MOST_SUBSETS = 32
-"""Sets of holds that are tried: of a wall with more, those without one of them."""
+MOST_HOLDS = 8
+"""Holds among which those are chosen that are far enough apart: of more, the highest."""
 
 
 def find_held_ways(wall: Wall) -> list[list[HeldStretch]]:
-    """The stretches of a wall with all its holds and, where a weak one gives way first and the others hold it up to a
-    larger push, those between these: an added hold never worsens a wall. Empty as `find_held_stretches` says."""
-    whole = find_held_stretches(wall)
-    if len(whole) < 2 or _start(whole) >= _start_of_bending(whole):
-        return [whole] if whole else []
-    *lower, highest = (stretch.high for stretch in whole)
-    sets = [kept for n in range(len(lower)) for kept in itertools.combinations(lower, n)]
-    sets = sets if len(sets) <= MOST_SUBSETS else [tuple(h for h in lower if h != gone) for gone in lower]
-    ways = []
-    for kept in sets:
-        gone = tuple(height for height in lower if height not in kept)
-        left = (_weakened(hold) if _is_at(hold, gone) else hold for hold in wall.hold)
-        reduced = replace(wall, hold=tuple(hold for hold in left if hold is not None))
-        ways.append([stretch._replace(gone=gone) for stretch in find_held_stretches(reduced)])
-    best = max((way for way in ways if way and way[-1].high == highest), key=_start, default=[])
-    return [whole, best] if best and _start(best) > _start(whole) * (1.0 + 1e-9) else [whole]
+    """The stretches of a wall with all its holds and, one after the other, without each that then gives way first while
+    the wall is at rest. Empty as `find_held_stretches` says."""
+    ways: list[list[HeldStretch]] = []
+    gone: tuple[float, ...] = ()
+    while stretches := find_held_stretches(left := _without(wall, gone)):
+        ways.append([stretch._replace(gone=gone) for stretch in (*stretches, *_bent_inward(left, stretches))])
+        lost = _first_to_go(stretches)
+        if lost is None:
+            break
+        gone = (*gone, lost)
+    return ways
+
+
+def _without(wall: Wall, gone: tuple[float, ...]) -> Wall:
+    """A wall whose holds at some heights [m] have given way outward."""
+    left = (_weakened(hold) if _is_at(hold, gone) else hold for hold in wall.hold)
+    return replace(wall, hold=tuple(hold for hold in left if hold is not None)) if gone else wall
+
+
+def _first_to_go(stretches: list[HeldStretch]) -> float | None:
+    """Height of the hold that gives way first [m], of stiff ones; None where the wall bends well before."""
+    pushes = _pushes_of_holds(stretches)
+    first = min(pushes, key=lambda height: pushes[height])
+    return first if pushes[first] <= BENDS_WELL_BEFORE * _start_of_bending(stretches) else None
+
+
+def _pushes_of_holds(stretches: list[HeldStretch]) -> dict[float, float]:
+    """Height of each hold of some stretches -> alpha at which it gives way, a stiff one [-]."""
+    tops = [next(hold for hold in stretch.wall.hold if hold.h_m != 0.0) for stretch in stretches]
+    return {
+        stretch.high: require_value(top.out_kn_m) / (0.5 * _pushed(stretch.wall) + _pushed_beside(top))
+        for stretch, top in zip(stretches, tops, strict=True)
+    }
+
+
+def _place(stretches: list[HeldStretch]) -> tuple[float, float]:
+    """What tells the better of two choices of holds: how high they hold, then alpha at which the first of them gives
+    way or a stretch bends [-]."""
+    return stretches[-1].high, min(*_pushes_of_holds(stretches).values(), _start_of_bending(stretches))
+
+
+def _bent_inward(wall: Wall, stretches: list[HeldStretch]) -> Iterator[HeldStretch]:
+    """A wall as it bends inward over anchors and ties that pull and stop nothing: between what is behind it."""
+    stops = [0.0, *(stretch.high for stretch in stretches if _is_stopped(wall, stretch.high))]
+    shown = {stretch.high: stretch.wall.hold[-1].evidence for stretch in stretches}
+    for low, high in pairwise(stops):
+        if not any(stretch.low == low and stretch.high == high for stretch in stretches):
+            span = mirror_inward(cut_span(wall, low, high, foot_stays=True))
+            held = (replace(hold, evidence=shown[high]) if hold.h_m else hold for hold in span.hold)
+            yield HeldStretch(low, high, replace(span, hold=tuple(held)), inward=True)
+
+
+def _is_stopped(wall: Wall, height: float) -> bool:
+    """Whether something is behind a wall at a height [m]."""
+
+    def reaches(hold: Hold) -> bool:
+        if hold.has_height:
+            return _is_at(hold, (height,))
+        low, high = hold.from_m or 0.0, math.inf if hold.to_m is None else hold.to_m
+        return low - SAME_HEIGHT <= height <= high + SAME_HEIGHT
+
+    return any(hold.is_contact and reaches(hold) for hold in wall.hold)
 
 
 def _is_at(hold: Hold, heights: tuple[float, ...]) -> bool:
@@ -76,13 +132,6 @@ def _is_at(hold: Hold, heights: tuple[float, ...]) -> bool:
 def _weakened(hold: Hold) -> Hold | None:
     """A hold that has given way outward: it stops the wall inward alone; None of one that only pulled."""
     return Hold("contact", hold.name, to_m=hold.h_m, evidence=hold.evidence) if hold.is_contact else None
-
-
-def _start(stretches: list[HeldStretch]) -> float:
-    """alpha at which the first of their holds gives way, stiff ones, or the first of them bends [-]."""
-    tops = [(stretch.wall, next(hold for hold in stretch.wall.hold if hold.h_m != 0.0)) for stretch in stretches]
-    holds = [require_value(top.out_kn_m) / (0.5 * _pushed(wall) + _pushed_beside(top)) for wall, top in tops]
-    return min(*holds, _start_of_bending(stretches))
 
 
 def _pushed_beside(top: Hold) -> float:
@@ -109,10 +158,14 @@ def find_held_stretches(wall: Wall) -> list[HeldStretch]:
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     if not held or not sized or not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
         return []
-    levels = _levels(wall)
+    ways = (_stretches_between(wall, levels) for levels in _spaced_sets(wall, _levels(wall)))
+    return max(filter(None, ways), key=_place, default=[])
+
+
+def _stretches_between(wall: Wall, levels: list[Hold]) -> list[HeldStretch]:
+    """The stretches of a wall between its base and these holds; empty as `find_held_stretches` says."""
     pairs = list(pairwise([0.0, *(require_value(level.h_m) for level in levels)]))
-    behind = [hold.h_m or hold.to_m or math.inf for hold in wall.hold if hold.is_contact]
-    if not pairs or not behind or max(behind) < pairs[-1][1] - SAME_HEIGHT or not _stands_above(wall, pairs[-1][1]):
+    if not pairs or not _is_stopped(wall, pairs[-1][1]) or not _stands_above(wall, pairs[-1][1]):
         return []
     if not all(bears_stretch(wall, low, high) for low, high in pairs):
         return []
@@ -161,31 +214,40 @@ def _less_thrusts(wall: Wall, levels: list[Hold], pairs: list[tuple[float, float
 def _stands_above(wall: Wall, top: float) -> bool:
     """Whether what is above the highest hold turns about it as a part that is looked at, or is a stub that stands
     STUB_PUSH."""
-    if _reaches_well_above(wall, top):
-        return True
+    return rocks_above(wall, top) or _push_of_stub(wall, top) >= STUB_PUSH
+
+
+def rocks_above(wall: Wall, top: float) -> bool:
+    """Whether what is above a height of a wall is looked at as a part of its own: what is so low that a plain wall
+    there stands STUB_PUSH is not."""
+    left = require_value(wall.height_m) - top
+    if left < MIN_HEIGHT_ABOVE:
+        return False
+    faces = contact_at(wall.parts, top) if wall.parts else None
+    thickness = min(wall.thickness or math.inf, faces[1] - faces[0] if faces else math.inf)
+    return STUB_PUSH * left > thickness - 2.0 * wall.setback
+
+
+def _push_of_stub(wall: Wall, top: float) -> float:
+    """alpha at which what is above a height of a wall turns about its edge there, with what it carries [-]; inf of a
+    wall of unknown weight."""
+    if wall.unit_weight_kn_m3 is None or wall.thickness is None:
+        return math.inf
     weight, x, over = weight_above(wall, top)
-    above = [load for load in wall.load if load.h_m > top + SAME_HEIGHT]
     face = (contact_at(wall.parts, top) or (0.0, 0.0))[0] if wall.parts else 0.0
     held, pushed = weight * (x - face - wall.setback), weight * over
-    for load in above:
+    for load in (load for load in wall.load if load.h_m > top + SAME_HEIGHT):
         size, lever = require_value(load.kn_m), load.h_m - top
         held += size * (require_value(load.d_m) - face - wall.setback) if load.is_weight else -size * lever
         pushed += size * lever if load.is_weight and load.pushes else 0.0
-    return held >= STUB_PUSH * pushed
+    return held / pushed if pushed > 0.0 else math.copysign(math.inf, held)
 
 
-def _reaches_well_above(wall: Wall, top: float) -> bool:
-    """Whether a wall reaches above a height of it by more than it is thick there."""
-    faces = contact_at(wall.parts, top) if wall.parts else None
-    thickness = min(require_value(wall.thickness), faces[1] - faces[0] if faces else math.inf)
-    return require_value(wall.height_m) - top > thickness
-
-
-def highest_anchor(wall: Wall) -> float | None:
-    """Height of the highest hold of an anchored wall that reaches well above it, so that the part there turns [m]; None
-    of another wall."""
-    stretches = find_held_stretches(wall)
-    return stretches[-1].high if stretches and _reaches_well_above(wall, stretches[-1].high) else None
+def highest_anchors(wall: Wall) -> set[float]:
+    """Heights of the highest holds of an anchored wall that reaches well above them, so that the part there turns [m]:
+    of all of them and of those that are left."""
+    highest = {max(stretch.high for stretch in way) for way in find_held_ways(wall)}
+    return {height for height in highest if rocks_above(wall, height)}
 
 
 def _pushed(stretch: Wall) -> float:
@@ -235,8 +297,7 @@ def _bent_above(stretch: Wall, wall: Wall, high: float) -> list[Wall]:
 
 
 def _levels(wall: Wall) -> list[Hold]:
-    """One hold for each height, from below: what all there stand. Of two between which the wall is too stocky to bend
-    the stronger one counts alone."""
+    """One hold for each height, from below: what all there stand."""
     levels: list[Hold] = []
     for hold in sorted(_outward_holds(wall), key=lambda hold: require_value(hold.h_m)):
         if levels and require_value(hold.h_m) - require_value(levels[-1].h_m) <= SAME_HEIGHT:
@@ -249,19 +310,21 @@ def _levels(wall: Wall) -> list[Hold]:
             levels[-1] = replace(levels[-1], stiffness_kn_m2=sum(stiff) or None)
         else:
             levels.append(hold)
-    return _spaced(levels, MIN_SLENDERNESS * require_value(wall.thickness))
+    return levels
 
 
-def _spaced(levels: list[Hold], least: float) -> list[Hold]:
-    """The holds that are at least so far apart [m], the base among them."""
-    spaced: list[Hold] = []
-    for level in levels:
-        height = require_value(level.h_m)
-        if spaced and height - require_value(spaced[-1].h_m) < least:
-            spaced[-1] = max(spaced[-1], level, key=lambda hold: require_value(hold.out_kn_m))
-        elif height >= least:
-            spaced.append(level)
-    return spaced
+def _spaced_sets(wall: Wall, levels: list[Hold]) -> Iterator[list[Hold]]:
+    """The sets of holds between which, and above the base, a wall is slender enough to bend, each as large as it can
+    be: what is between two that are nearer stays whole, and one of them counts alone."""
+    least = MIN_SLENDERNESS * require_value(wall.thickness)
+    heights = [height for level in levels if (height := require_value(level.h_m)) >= least]
+    spaced: list[set[float]] = []
+    for count in range(min(len(heights), MOST_HOLDS), 0, -1):
+        for kept in itertools.combinations(heights[-MOST_HOLDS:], count):
+            far = all(upper - lower >= least for lower, upper in pairwise(kept))
+            if far and not any(larger.issuperset(kept) for larger in spaced):
+                spaced.append(set(kept))
+                yield [level for level in levels if require_value(level.h_m) in kept]
 
 
 def _beside(wall: Wall, low: float, high: float, last: bool) -> float:
@@ -279,7 +342,7 @@ def _beside(wall: Wall, low: float, high: float, last: bool) -> float:
 def _rocks_above(wall: Wall, low: float, high: float) -> PartAbove | None:
     """What rocks above the highest hold of a wall; None where that is too little to be looked at. low, high : of the
     stretch below the hold [m]"""
-    if not _reaches_well_above(wall, high):
+    if not rocks_above(wall, high):
         return None
     above = cut_above_hinge(wall, high).without_ties()
     own = replace(above, hold=(), mechanism="two_sided").in_si

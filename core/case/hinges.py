@@ -8,7 +8,7 @@ from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge, part_name
 from core.case.detached import leaf_label, make_leaf_wall
 from core.case.directions import directions_of, falls_all_ways
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
-from core.case.held_stretches import HeldStretch, find_held_ways, highest_anchor
+from core.case.held_stretches import HeldStretch, find_held_ways, highest_anchors, rocks_above
 from core.case.held_top import mirror_inward
 from core.case.hold import Hold, hold_kind
 from core.case.schema import Case
@@ -34,9 +34,6 @@ FLOORS, BASE = "floors", "base"
 SLENDER_ABOVE = 3.0
 """Without `hinge_heights` a hinge is looked at where the wall above it has at least this H/t: a lower part of a wall is
 a parapet's or a sill's, which turns as a block of its own."""
-
-MIN_FREE_HEIGHT = 0.3
-"""What stands higher than this above what holds a wall is looked at as a part of its own [m]."""
 
 SAME_HINGE = 0.05
 """A load or a floor nearer than this to a step, or to another one, has no hinge of its own [m]."""
@@ -234,6 +231,7 @@ def held_stretch_name(low: float, high: float | None, gone: tuple[float, ...]) -
 
 def _held_part(part: WallPart, stretch: HeldStretch, way: int) -> WallPart:
     held = replace(part, hinge=stretch.low, wall=stretch.wall, top=stretch.high, held=way, gone=stretch.gone)
+    held = replace(held, inward=stretch.inward)
     name = f"{part.wall.title} {held_stretch_name(stretch.low, stretch.high, stretch.gone)}"
     return replace(held, wall=replace(stretch.wall, name=name))
 
@@ -243,23 +241,23 @@ def best_way(
 ) -> list[int]:
     """Numbers of the parts of a wall that count: an anchored wall bends between its holds as long as these hold. Where
     one of them gives way before all else, and while the wall is at rest, the wall without it takes its place if that is
-    better: between the others, or as it turns. What is looked at in either way counts in both.
+    better: between the others, and so on, at last as it turns. What moves whatever holds it below counts in all ways.
 
     worst : of parts by their numbers, what the worst of them comes to, the more the better
     loses_hold : whether what decides about a part is a hold that gives way while the wall is at rest
     """
-    top = max((require_value(part.top) for part in parts if part.held), default=None)
     numbers = list(range(len(parts)))
-    if top is None:
-        return numbers
-    shared = [k for k in numbers if not parts[k].held and _counts_anyway(parts[k], top)]
-    ways = [[k for k in numbers if parts[k].held == way] for way in (1, 2)]
-    counted = ways[0]
-    for way in (*filter(None, ways[1:]), [k for k in numbers if not parts[k].held]):
-        first = min(counted, key=lambda k: worst([k]))
-        if loses_hold(first) and worst(way + shared) > worst(counted + shared):
-            counted = way
-    return sorted({*counted, *shared})
+    counted: list[int] = []
+    for way in [*range(1, 1 + max(part.held for part in parts)), 0]:
+        held = [k for k in numbers if parts[k].held == way]
+        top = max((require_value(parts[k].top) for k in held), default=None) if way else None
+        shared = [k for k in numbers if not parts[k].held and (top is None or _counts_anyway(parts[k], top))]
+        found = sorted({*held, *shared})
+        if not counted or worst(found) > worst(counted):
+            counted = found
+        if way and not loses_hold(min(held, key=lambda k: worst([k]))):
+            break
+    return counted
 
 
 def _counts_anyway(part: WallPart, top: float) -> bool:
@@ -277,8 +275,7 @@ def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
 def highest_hold(wall: Wall, building: Building | None) -> float | None:
     """Height above the base of a wall that leans up to which something holds it [m]: its highest hold, or a tie above
     that. What stands above is free, and rocks to both sides (C8.7.1.2.1.3: porzioni svettanti). None of a wall that
-    does not reach higher by more than it is thick there, which does not rock, that begins there, or of which nobody
-    says how far it is held."""
+    does not reach higher by so much that it rocks, that begins there, or of which nobody says how far it is held."""
     if not wall.leans or wall.height_m is None or wall.corner is not None:
         return None
     tops = _tops_of_holds(wall, building)
@@ -287,9 +284,7 @@ def highest_hold(wall: Wall, building: Building | None) -> float | None:
     held = max([*(top for top in tops if top is not None), *_heights(wall.ties)])
     if held <= 0.0:
         return None
-    faces = contact_at(wall.parts, held) if wall.parts and held < wall.height_m else None
-    thickness = faces[1] - faces[0] if faces else wall.thickness or 0.0
-    return held if wall.height_m - held > max(MIN_FREE_HEIGHT, thickness) else None
+    return held if rocks_above(wall, held) else None
 
 
 def _heights(holds: Iterable[Hold]) -> set[float]:
@@ -387,9 +382,9 @@ def turning_hinges(wall: Wall, building: Building | None) -> Sequence[float]:
     held_to = None if building is None or building.modes else highest_hold(wall, building)
     if held_to is not None and all(abs(held_to - hinge) > SAME_HINGE for hinge in hinges):
         hinges = sorted([*hinges, held_to])
-    anchor = highest_anchor(wall)
-    if anchor is not None and all(abs(anchor - hinge) > SAME_HINGE for hinge in hinges):
-        hinges = sorted([*hinges, anchor])
+    for anchor in highest_anchors(wall):
+        if all(abs(anchor - hinge) > SAME_HINGE for hinge in hinges):
+            hinges = sorted([*hinges, anchor])
     ties = {high for _, high in find_bending_spans(wall, hinges)}
     if any(turns_above_ties(wall, hinge) and opens_inside(wall, hinge) for hinge in (0.0, *hinges)):
         ties.add(max(_heights(wall.ties)))

@@ -59,7 +59,7 @@ def _holds_at(stretch: Wall, height: float | None) -> list[Hold]:
 
 def _replace_strength(stretch: Wall, hold: Hold, strength: float) -> Wall:
     """A stretch whose hold has this strength outward [kN/m], and inward in proportion."""
-    ratio = strength / require_value(hold.out_kn_m)
+    ratio = strength / require_value(hold.out_kn_m) if hold.out_kn_m else 1.0  # of 0: a thrust takes all of it
     inward = None if hold.in_kn_m is None else ratio * hold.in_kn_m
     stiffness = None if hold.stiffness_kn_m2 is None else ratio * hold.stiffness_kn_m2
     own = replace(hold, out_kn_m=strength, in_kn_m=inward, stiffness_kn_m2=stiffness)

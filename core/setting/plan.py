@@ -248,7 +248,7 @@ def _share_out_holds(
     hold beside the wall below it is moved as the floor at its height is."""
     shared = list(entries)
     for (_, way), group in groupby(range(len(entries)), lambda k: (entries[k].part.origin, entries[k].part.held)):
-        held = list(group)
+        held = [k for k in group if not entries[k].part.inward]
         pushes = [_push_of(entries[k], demand) for k in held]
         if not way or None in pushes:
             continue

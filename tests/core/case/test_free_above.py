@@ -4,7 +4,8 @@ import random
 
 import pytest
 
-from core.case.hinges import MIN_FREE_HEIGHT, count_wall_parts, highest_hold, make_wall_parts
+from core.case.above_hinge import MIN_HEIGHT_ABOVE
+from core.case.hinges import count_wall_parts, highest_hold, make_wall_parts
 from core.case.rules import parse_case
 from core.study.run import run
 from tests.conftest import ROOT
@@ -55,7 +56,7 @@ def test_that_what_stands_above_the_highest_hold_is_free_at_any_height_over_thic
         asked = draw.choice([None, "base", "floors"])
         keys = {"height_m": 7.5 + over, "thickness_m": thickness}
         walls = parts_of_wall(**keys, **({} if asked is None else {"hinge_heights": asked}))
-        if over <= max(MIN_FREE_HEIGHT, thickness):
+        if over <= max(MIN_HEIGHT_ABOVE, 0.5 * thickness):
             assert {wall.mechanism for wall in walls.values()} == {"one_sided"}
             continue
         assert {hinge: wall.mechanism for hinge, wall in walls.items() if hinge >= 7.5}[7.5] == "two_sided"

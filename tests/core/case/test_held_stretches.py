@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import pytest
 
-from core.case.held_stretches import find_held_stretches
+from core.case.held_stretches import find_held_stretches, find_held_ways
 from core.case.held_top import mirror_inward
 from core.case.hinges import count_wall_parts, make_wall_parts
 from core.case.hold import Hold
@@ -231,10 +231,18 @@ def test_that_ties_at_several_floors_hold_a_wall_between_them_as_far_as_the_dema
     assert all(result.walls[k].part.held for k in verdict.results)
 
 
-def test_that_of_two_holds_between_which_a_wall_cannot_bend_the_stronger_one_counts():
-    for strengths, heights in (((20.0, 30.0, 9.0), [3.4, 6.8]), ((20.0, 5.0, 9.0), [3.4, 7.5])):
+def test_that_of_two_holds_between_which_a_wall_cannot_bend_the_higher_one_counts_until_it_gives_way():
+    for strengths, ways in (
+        ((20.0, 30.0, 9.0), [[3.4, 7.5], [3.4, 6.8]]),
+        ((20.0, 30.0, 0.5), [[3.4, 7.5], [3.4, 6.8]]),
+        ((20.0, 30.0, 90.0), [[3.4, 7.5], [7.5]]),
+    ):
         wall = wall_of(anchored(*strengths, heights=(3.4, 6.8, 7.5)))
-        assert [stretch.high for stretch in find_held_stretches(wall)] == heights
+        found = [[stretch.high for stretch in way] for way in find_held_ways(wall)]
+        assert found[: len(ways)] == ways, strengths
+    for strengths, lower in (((20.0, 2.0, 30.0), 3.0), ((2.0, 20.0, 30.0), 4.0)):  # else the one that holds longer
+        wall = wall_of(anchored(*strengths, heights=(3.0, 4.0, 7.4)))
+        assert [stretch.high for stretch in find_held_stretches(wall)] == [lower, 7.4]
 
 
 def test_that_the_count_of_the_parts_of_a_wall_is_theirs():
