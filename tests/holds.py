@@ -7,6 +7,10 @@ def behind(evidence="drawing", kind="contact", **keys):
     return [{"kind": kind, **keys, **shown}]
 
 
+BOUND = {"hold": [{"kind": "cross_walls", "evidence": {"kind": "drawing"}}]}
+"""What binds a wall that rocks to both sides, which is then not free to vibrate."""
+
+
 def between(spacing=None, evidence="opening", **ends):
     """Cross walls, from so far apart on between which the wall spans; evidence "test" shows what its ends stand too."""
     return behind(evidence, "cross_walls", **({} if spacing is None else {"spacing_m": spacing}), **ends)

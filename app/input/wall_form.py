@@ -58,7 +58,7 @@ from core.wall.restitution import MODELS
 IN_A_ROW = 400
 """Width that buttons of a row may take together [px]: larger letters have two rows."""
 
-BASE_KEYS = "base_z_m", "free_element", "base_friction"
+BASE_KEYS = "base_z_m", "base_friction"
 """Keys beside the mechanism."""
 
 
@@ -262,7 +262,6 @@ class WallForm(WallEditor):
                 field.show_usual(wall, self.session.case.building)
         # only what the mechanism needs, and what stands there all the same
         self.fields["unloaded_confirmed"].setVisible(not wall.load or wall.unloaded_confirmed)
-        self.fields["free_element"].setVisible(not wall.bends or bool(wall.free_element))
         self.fields["base_friction"].setVisible(wall.bends or wall.base_friction is not None or bool(wall.restraints))
         self.fields["elastic_modulus_mpa"].setVisible(not wall.bends or wall.elastic_modulus_mpa is not None)
         for name, said in unused_history_sections(wall).items():

@@ -35,8 +35,6 @@ ASKED = {
     "lift_velocity_ratio": AskedInput("C8.7.1.2.1.9", WALL, ("velocity_ratio", "restitution"), MEASURED),
     "lift_law": AskedInput("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
     "lift_rigid": AskedInput("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
-    "lift_free_element": AskedInput("C8.7.1.2.1.5", WALL, ("free_element",)),
-    "lift_one_sided_free": AskedInput("C8.7.1.2.1.5", WALL, ("free_element",)),
     "lift_return_walls": AskedInput("C8.7.1.2.1.1", WALL, ("return_walls",)),
     "lift_elongation": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
     "lift_brittle": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),

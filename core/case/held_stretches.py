@@ -10,9 +10,11 @@ from typing import NamedTuple
 from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge
 from core.case.held_top import mirror_inward
 from core.case.hold import TIE, Hold, ShareOfHold
+from core.case.loads import Load
 from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, lowest_hinge, mechanism
+from core.errors import InputError
 from core.known import require_value
 from core.units import G
 from core.wall.bending import strip_of
@@ -160,6 +162,25 @@ def find_held_stretches(wall: Wall) -> list[HeldStretch]:
         return []
     ways = (_stretches_between(wall, levels) for levels in _spaced_sets(wall, _levels(wall)))
     return max(filter(None, ways), key=_place, default=[])
+
+
+def refuse_uncounted_holds(wall: Wall, here) -> None:
+    """Raise InputError for a wall that has no `find_held_stretches`, though a hold is said to stand something: what is
+    at fault. here : place of the hold"""
+    heights = [require_value(hold.h_m) for hold in _outward_holds(wall)]
+    highest = max(heights)
+
+    def between(load: Load) -> bool:
+        at_hold = any(abs(load.h_m - height) <= SAME_HEIGHT for height in heights)
+        return load.is_thrust and load.h_m < highest and not at_hold
+
+    if wall.leans and not _is_stopped(wall, highest):
+        raise InputError("hold_nothing_behind", place=here, key="out_kn_m", height=highest)
+    if load := next(filter(between, wall.load), None):
+        raise InputError("hold_thrust_between", place=here, key="out_kn_m", height=load.h_m)
+    if wall.leans and wall.height_m is not None and is_one_sheet(wall) and not _stands_above(wall, highest):
+        raise InputError("hold_stub_falls", place=here, key="out_kn_m", height=highest)
+    raise InputError("hold_not_counted", place=here, key="out_kn_m", least=MIN_SLENDERNESS)
 
 
 def _stretches_between(wall: Wall, levels: list[Hold]) -> list[HeldStretch]:

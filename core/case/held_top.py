@@ -32,8 +32,6 @@ def check_held_top(wall: Wall) -> None:
         raise InputError("bending_return_walls", place=here, key="return_walls")
     if n := next((n for n, hold in enumerate(wall.hold, start=1) if hold.is_bar), None):
         raise InputError("bending_tie", place=(*here, place("hold", n=n)), key="kind")
-    if wall.free_element:
-        raise InputError("bending_not_free", place=here, key="free_element")
     for key, given in (("height_m", wall.height_m), ("unit_weight_kn_m3", wall.unit_weight_kn_m3)):
         if given is None:
             raise InputError("bending_needs", place=here, key=key)

@@ -261,9 +261,10 @@ def best_way(
 
 
 def _counts_anyway(part: WallPart, top: float) -> bool:
-    """Whether a part moves whatever holds the wall below a height: what is above, between transverse walls, a leaf."""
+    """Whether a part moves whatever holds the wall below a height: what is above, a leaf. Between transverse walls it
+    would bend across the floors that hold it."""
     free = part.turns and (part.hinge >= top - SAME_HINGE or not part.wall.leans)
-    return bool(part.aspect) or part.wall.kinematics.arches or free
+    return bool(part.aspect) or free
 
 
 def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
@@ -310,13 +311,7 @@ def leaves_end_open(wall: Wall, building: Building | None) -> bool:
 def make_free(wall: Wall) -> Wall:
     """The part of a wall above what holds it, which rocks to both sides; itself where its loads let it stand to one
     side alone."""
-    sides: dict[str, Any] = {
-        "mechanism": "two_sided",
-        "restitution": None,
-        "velocity_ratio": None,
-        "law": "auto",
-        "free_element": None,
-    }
+    sides: dict[str, Any] = {"mechanism": "two_sided", "restitution": None, "velocity_ratio": None, "law": "auto"}
     free = replace(wall, **sides, hold=())
     return free if free.in_si.rocks_both_ways else wall
 

@@ -7,12 +7,11 @@ from typing import Any
 from core.case.asked import DEMAND, shown_by
 from core.case.directions import LONGEST
 from core.case.document import KINDS_THAT_SHOW, PRESENCE, STATED, STRENGTH, is_named
-from core.case.held_stretches import find_held_stretches, stands_outward
+from core.case.held_stretches import find_held_stretches, refuse_uncounted_holds, stands_outward
 from core.case.hold import HOLD_KINDS, TIE, Hold, hold_kind
 from core.case.site import Building
 from core.case.tie_rules import OF_AN_OLD_TIE, check_tie
 from core.case.wall import Wall
-from core.codes.vertical_bending import MIN_SLENDERNESS
 from core.errors import InputError, place, section
 from core.text.sentence import Key
 from core.wall.bending import TOP_TOLERANCE
@@ -39,7 +38,7 @@ def check_holds(wall: Wall) -> None:
     counted = wall.kinematics.bends_up or not any(stands_outward(hold) for hold in wall.hold)
     if not counted and not find_held_stretches(wall):
         n = next(n for n, hold in enumerate(wall.hold, start=1) if stands_outward(hold))
-        raise InputError("hold_not_counted", place=(*here, place("hold", n=n)), key="out_kn_m", least=MIN_SLENDERNESS)
+        refuse_uncounted_holds(wall, (*here, place("hold", n=n)))
     if len(spans) > 1:
         raise InputError("hold_two_spacings", place=(*here, place("hold", n=spans[1])), key="spacing_m", first=spans[0])
     sought = [n for n, hold in enumerate(wall.hold, start=1) if hold.design]
@@ -123,6 +122,9 @@ def refuse_old_keys(table: Mapping[str, Any], here) -> None:
     table : keys of a wall; here : its place
     """
     refuse_old_reasons(table, (here, section("[wall.justification]")))
+    if "free_element" in table:
+        bound = 'hold = [{ kind = "cross_walls", evidence = { kind = "drawing" } }]'
+        raise InputError("old_free", place=(here,), key="free_element", written=bound, mechanism=Key("mechanism"))
     if "all_directions" in table:
         raise InputError("directions_by_themselves", place=(here,), key="all_directions", most=LONGEST)
     if old := next((key for key in OLD_KEYS if key in table), None):

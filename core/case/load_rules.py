@@ -3,11 +3,12 @@
 import math
 from dataclasses import replace
 
+from core.case.held_stretches import stands_outward
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.errors import InputError, place
 from core.known import require_value
-from core.text.sentence import Sentence
+from core.text.sentence import Key, Sentence
 from core.wall.masonry import MAX_COLLAPSE, Masonry, is_stable, load_to_force
 from core.wall.solids import faces_at
 from core.wall.wall_loads import hinge_inside, largest_tie_share
@@ -76,6 +77,9 @@ def _check_stands(wall: Wall) -> None:
     for block, side in masonry.sides if two_sided else masonry.sides[:1]:
         if not is_stable(block, side):
             threshold = side.sine * math.tan(block.slenderness) + side.cosine
+            thrusts = any(load.is_thrust for load in wall.load) and any(stands_outward(hold) for hold in wall.hold)
+            if thrusts:
+                raise InputError("thrust_on_hold", place=here, threshold=threshold, strength=Key("out_kn_m"))
             raise InputError("unstable_under_loads", place=here, threshold=threshold)
         if block.slenderness + side.lean > MAX_COLLAPSE:
             raise InputError(

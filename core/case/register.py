@@ -147,6 +147,8 @@ def _why_not(name: str, wall: Wall) -> str:
         return "held_at_top"
     if name == PART_ABOVE and wall.restraints:
         return "held_to_top"
+    if name == HORIZONTAL_BENDING and any(hold.only_there for hold in wall.hold):
+        return "no_spacing"
     if name == DIRECTION and (wall.leans or wall.bends):
         return "held_in_plane"
     if name == DIRECTION and wall.length_m is None:

@@ -16,7 +16,7 @@ from core.wall.kinematics import ARCHES
 LEAST_COURSES = 0.5
 """Height of a band of courses that goes through from end to end, at least [m]."""
 
-NOT_OF_AN_ARCH = ("restitution", "velocity_ratio", "hinge_heights", "return_walls", "free_element")
+NOT_OF_AN_ARCH = ("restitution", "velocity_ratio", "hinge_heights", "return_walls")
 """Keys of walls that rock or turn about their base."""
 
 
@@ -52,7 +52,6 @@ def make_spanning_part(wall: Wall) -> Wall:
         velocity_ratio=None,
         law="auto",
         hinge_heights=None,
-        free_element=None,
         load=tuple(load),
         return_walls=None,
         hold=(wall.arch,),

@@ -202,7 +202,6 @@ def cut_span(wall: Wall, low: float, high: float, foot_stays: bool = False) -> W
         restitution=None,
         velocity_ratio=None,
         law="auto",
-        free_element=None,
         load=tuple(loads),
         unloaded_confirmed=wall.unloaded_confirmed or not loads,
         # what the ties stand is looked at where the stretch is chosen

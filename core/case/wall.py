@@ -75,7 +75,6 @@ class Wall(Shaped):
     base_z_m: float | None = number_key(0.0, 300.0, unit="m", form="checks")
     length_m: float | None = number_key(0.05, 200.0, unit="m", form="checks")
     unit_weight_kn_m3: float | None = number_key(5.0, 40.0, unit="kN/m3", form="checks")
-    free_element: bool | None = flag_key(None, form="checks")
     base_friction: float | None = number_key(0.05, 0.4, form="checks")
     elastic_modulus_mpa: float | None = number_key(10.0, 100000.0, unit="MPa", form="checks")
     unloaded_confirmed: bool = flag_key(form="checks")
@@ -173,7 +172,7 @@ class Wall(Shaped):
             kind=self.masonry,
             law=self.moment_law(),
             branch=self.law if isinstance(self.law, str) and self.law in WITH_BRANCH else "",
-            free=self.free_element,
+            bound=any(not hold.is_bar and hold.evidence is not None for hold in self.hold),
             friction=SLIDING if self.base_friction is None else self.base_friction,
             felt=self.demand_height_m,
             parts=self.parts,

@@ -289,18 +289,14 @@ def _told(
     one: FavourableInput, judged: list[Check], ends: AlternativeEvaluations, evaluation: Evaluation
 ) -> Check | None:
     """The check whose zeta the words of a raised input give, None where it raises none: of what concerns the linear
-    check alone that one, of a wall declared free or not the one that fares worst, of loads the first that they raise.
-    judged : the checks the input moves; ends : at its other ends"""
+    check alone that one, of loads the first that they raise.
+
+    judged : the checks the input moves; ends : at its other ends
+    """
     if one.key in LOAD_AND_MASONRY_KEYS:
         lowest = ((check, min(zeta_for_sorting(_zeta(end, check)) for end in ends)) for check in judged)
         return next((check for check, zeta in lowest if zeta < zeta_for_sorting(check.zeta)), None)
-    if one.key != "free_element":
-        return evaluation.decides if one.histories else evaluation.made("linear_q_code")
-    told = min(judged, key=lambda check: zeta_for_sorting(_zeta(ends[0], check)))
-    raises_none = evaluation.scene.wall.free_element and zeta_for_sorting(_zeta(ends[0], told)) >= zeta_for_sorting(
-        told.zeta
-    )
-    return None if raises_none else told
+    return evaluation.decides if one.histories else evaluation.made("linear_q_code")
 
 
 def _together(

@@ -11,7 +11,7 @@ import numpy as np
 from core.case.document import document_of
 from core.case.site import FULL_FACTOR
 from core.case.wall import Wall
-from core.codes.assumption import DECLARED, DEFAULT, GIVEN
+from core.codes.assumption import DEFAULT, GIVEN
 from core.codes.elastic_branch import ELASTIC, can_have_branch
 from core.codes.limits import MIN_STATIONS_FOR_MINIMUM
 from core.codes.masonry_types import least_strength, moduli, weights
@@ -22,7 +22,7 @@ from core.known import require_value
 from core.setting import demand_input
 from core.setting.check_input import CheckInput
 from core.setting.demand_input import find_generation_settings
-from core.text.sentence import Number, Sentence, sentence
+from core.text.sentence import Number, sentence
 from core.variation.evaluate import Evaluation
 from core.variation.favourable_input import (
     GIVEN_WORD,
@@ -30,7 +30,6 @@ from core.variation.favourable_input import (
     Alternative,
     FavourableInput,
     SceneChange,
-    check_phrase,
     demand_change,
     single_alternative,
     wall_change,
@@ -116,19 +115,6 @@ def favourable_inputs(evaluation: Evaluation) -> Iterator[FavourableInput]:
     yield from _of_the_set(evaluation)
     yield from favourable_ties_and_forces(scene, not dynamic)
     yield from favourable_weights(scene)
-    if wall.free_element is not None and wall.free_element != replace(wall.in_si, free=None).is_free(scene.mechanism):
-        code = "lift_one_sided_free" if wall.free_element else "lift_free_element"
-        end = Alternative(wall_change(free_element=None), _free(not wall.free_element))
-        yield FavourableInput(
-            code,
-            "free_element",
-            wall.evidence,
-            _free(wall.free_element),
-            (end,),
-            lambda zetas, check: sentence("reason", code, zeta=Number(zetas[0]), check=check_phrase(check)),
-            DECLARED,
-            histories=False,
-        )
     yield from _of_the_shape(wall, scene.mechanism)
     yield from _of_the_body(scene)
     yield from _of_the_edge(scene)
@@ -341,8 +327,3 @@ def _of_the_body(scene: CheckInput) -> Iterator[FavourableInput]:
 def _law_named(law: str | dict) -> str:
     """A trilinear law as the table of assumptions shows it."""
     return law if isinstance(law, str) else f"D1 {law['elastic_limit']:g}, D2 {law['plateau_end']:g}"
-
-
-def _free(free: bool | None) -> Sentence:
-    """Whether a wall is free to vibrate, in words."""
-    return sentence("word", "free_to_vibrate" if free else "held")

@@ -141,7 +141,7 @@ class Masonry:
     setback : u, of the hinges inside the edges [m]
     length : [m]; unit_weight : [N/m3]; modulus, strength : E and f of the masonry [Pa]; kind : row of Table C8.5.I
     law : of its moment; branch : where the check at the demand gives it an elastic branch: auto or elastic, else ""
-    free : whether it is free to vibrate before it moves, None : a wall of two sides is
+    bound : whether something is shown to hold it before it moves
     friction : of the bed joint at its base [-]
     felt : height above the ground at which its demand is taken [m], None where it is not given
     parts : its solids, none of a rectangle
@@ -162,7 +162,7 @@ class Masonry:
     kind: str | None = None
     law: MomentLaw = RIGID
     branch: str = ""
-    free: bool | None = None
+    bound: bool = False
     friction: float = SLIDING
     felt: float | None = None
     parts: tuple[Part, ...] = ()
@@ -193,8 +193,8 @@ class Masonry:
 
     def is_free(self, mechanism: str) -> bool:
         """Whether the wall is free to vibrate before it moves, not restrained by continuity with transverse walls
-        (Circolare 7/2019 C8.7.1.2.1.3, .5): as asked, else a two-sided one is, a one-sided one not."""
-        return kinematics(mechanism).both_ways if self.free is None else self.free
+        (Circolare 7/2019 C8.7.1.2.1.3, .5): a two-sided one that nothing is shown to hold."""
+        return kinematics(mechanism).both_ways and not self.bound
 
     @cached_property
     def body(self) -> Body | None:

@@ -134,7 +134,7 @@ def test_that_a_wall_held_at_its_top_shows_only_what_it_needs(opened, faults):
     form.mechanisms["vertical_bending"].click()
     assert form.wall.bends and faults == []
     assert all(form.sections[name].isHidden() for name in ("held", "hinges", "impact"))
-    assert form.fields["free_element"].isHidden() and form.holds.isVisibleTo(form)
+    assert form.holds.isVisibleTo(form)
     opened.session.edit_wall(0, unit_weight_kn_m3=18.0)
     assert "h₁ 2.70 m" in form.summary.text() and len(form.drawing.bent.hinges) == 3
     opened.session.edit_wall(0, hinge_heights="base")  # what stands there all the same is shown, and named
@@ -254,11 +254,10 @@ def test_that_every_list_of_a_form_offers_what_its_key_accepts(opened, language)
     lists = opened.findChildren(ChoiceField)
     assert len(lists) > 12 and current_language() == language
     for field in lists:
-        names = {True, False} if field.key == "free_element" else None
-        if field.section is not None and names is None:
+        if field.section is not None:
             rule = next(e for e in fields(field.section) if e.name == field.key).metadata
             names = set(rule["names"]) if "names" in rule else {1, 2}
-        assert set(field.words) - {None} == names, field.key
+            assert set(field.words) - {None} == names, field.key
         assert all(field.words.values()) and len(set(field.words.values())) == len(field.words)
 
 

@@ -235,7 +235,7 @@ def test_that_the_window_follows_the_case_and_closes_without_a_trace(application
 def test_that_a_load_on_the_top_of_a_wall_held_there_stays_on_it_as_the_height_moves(application, plain):
     table = table_of(plain.session.case)
     (wall,) = table["wall"]
-    held = {key: value for key, value in wall.items() if key not in ("hold", "free_element")}
+    held = {key: value for key, value in wall.items() if key != "hold"}
     load = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.25, "h_m": 6.0, "mass": "horizontal"}
     held |= {"mechanism": "vertical_bending", "load": [load]}
     plain.session.edit(parse_case(table | {"wall": [held]}))

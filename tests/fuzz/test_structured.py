@@ -93,7 +93,6 @@ wall = st.fixed_dictionaries(
         "law": st.sampled_from(["rigid", "doherty", "al_shawa"]),
         "notes": words,
         "floor": words,
-        "free_element": st.booleans(),
         "unloaded_confirmed": st.booleans(),
         "hold": words.map(lambda text: [{"kind": "contact", "name": text}]),
         "unit_weight_kn_m3": st.floats(5.0, 40.0),

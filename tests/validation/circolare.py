@@ -3,6 +3,7 @@
 from core.codes.kinematic import analyse_mechanism
 from core.setting.demand_input import read_demand
 from tests.clauses_alone import parse_case
+from tests.holds import BOUND
 
 EN_B = {"code": "EN1998", "soil": "B", "type": 1}
 NTC_C = {"code": "NTC2018", "f0": 2.364, "tc_star_s": 0.347, "soil": "C", "topography": "T1"}
@@ -34,5 +35,5 @@ def mechanism_of(asked):
     return analyse_mechanism(asked.wall[0].in_si, asked.wall[0].mechanism, demand), demand
 
 
-FREE = {"free_element": True, "elastic_modulus_mpa": 600.0, "unit_weight_kn_m3": 18.0}
-HELD = {"free_element": False}
+FREE = {"elastic_modulus_mpa": 600.0, "unit_weight_kn_m3": 18.0}
+HELD = BOUND

@@ -10,7 +10,7 @@ from core.rocking.history import integrate_history
 from core.rocking.methods import AUTO
 from core.rocking.outcome import COLLAPSED
 from core.study import run as study
-from tests.holds import shown
+from tests.holds import BOUND, shown
 from tests.validation.circolare import HELD, case, mechanism_of
 
 
@@ -92,7 +92,7 @@ def test_that_a_free_element_is_not_called_at_rest_by_the_pga(tmp_path):
     for kind in (wall, {k: v for k, v in wall.items() if k[0] != "e"}):
         found = study.run(case(kind, {"ag_g": 0.16}), base_dir=tmp_path).walls[0].assessment
         assert found.verdict.code != "not_activated"
-    held = study.run(case({**wall, "free_element": False}, {"ag_g": 0.16}), base_dir=tmp_path)
+    held = study.run(case({**wall, **BOUND}, {"ag_g": 0.16}), base_dir=tmp_path)
     assert held.walls[0].assessment.verdict.code == "not_activated"
 
 

@@ -11,6 +11,7 @@ from core.codes.target_spectrum import given, largest_displacement
 from core.errors import InputError
 from core.setting.demand_input import read_demand
 from core.units import G
+from tests.holds import BOUND
 from tests.validation.circolare import FREE, case, mechanism_of
 
 
@@ -38,7 +39,7 @@ def without(demand):
 
 @pytest.mark.shows("kinematic.displacement")
 def test_that_the_displacement_demand_of_a_site_is_its_largest_up_to_t_slv(tmp_path):
-    wall = {"height_m": 5.0, "thickness_m": 0.5, "free_element": False}
+    wall = {"height_m": 5.0, "thickness_m": 0.5} | BOUND
     table = {
         "wall": [{"name": "w", "base_z_m": 0.0, "mechanism": "two_sided", **wall}],
         "demand": {"ag_g": 0.26, **without(site_spectrum(tmp_path))},
@@ -92,7 +93,7 @@ def test_that_a_wall_elastic_up_to_d_slv_has_no_linear_check():
     """12 x 0.40 m, E 200 MPa: T_0 = 6.9 s beyond T_SLV, where S_e(T_0) is next to nothing and would let a wall of
     d_SLV / S_De = 0.47 pass."""
     wall = {"height_m": 12.0, "thickness_m": 0.40, "elastic_modulus_mpa": 200.0, "unit_weight_kn_m3": 19.0}
-    found, demand = mechanism_of(case({**wall, "free_element": True}))
+    found, demand = mechanism_of(case({**wall, "hold": []}))
     assert found.period_0 > found.period and found.missing == ("period_0",)
     assert check_linear("linear_q_code", found, demand, 2.0) is None
     check = check_displacement(found, demand)
@@ -105,6 +106,6 @@ def test_that_a_wall_is_elastic_up_to_d_slv_where_its_modulus_is_below_that_of_t
     E = 6.2^2 h^3 w / (4 pi^2 0.2 FC t^2)."""
     height, thickness, weight = 12.0, 0.40, 19e3
     modulus = 6.2**2 * height**3 * weight / (4.0 * math.pi**2 * 0.2 * 1.35 * thickness**2)
-    wall = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": 1e-3 * weight, "free_element": True}
+    wall = {"height_m": height, "thickness_m": thickness, "unit_weight_kn_m3": 1e-3 * weight}
     found, _ = mechanism_of(case({**wall, "elastic_modulus_mpa": 1e-6 * share * modulus}))
     assert found.missing == missing

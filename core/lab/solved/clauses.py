@@ -18,8 +18,8 @@ from core.units import G
 
 ZETA_LINEAR: Head = (worded("ζ linear, q = 2"), "")
 ZETA_DISPLACEMENT: Head = (worded("ζ of the displacement check"), "")
-FREE = {"free_element": True, "elastic_modulus_mpa": 600.0}
-NOT_FREE = {"free_element": False}
+FREE = {"elastic_modulus_mpa": 600.0}
+NOT_FREE = {"hold": [{"kind": "cross_walls", "evidence": {"kind": "drawing"}}]}
 
 WALLS_ON_GROUND = (
     # key, H, t, kind, then a_0*/g, zeta linear, T_SLV, S_De, zeta displacement
@@ -73,16 +73,8 @@ def on_the_ground(key: str, height: float, thickness: float, kind: dict, values:
 
 SOIL_C = (
     ("12.5 × 0.90 m", {"height_m": 12.5, "thickness_m": 0.90, **NOT_FREE}, "- 0.3073 0.7371"),
-    (
-        "3.0 × 0.40 m",
-        {"height_m": 3.0, "thickness_m": 0.40, "free_element": True, "elastic_modulus_mpa": 1e3},
-        "0.19417 0.2408 0.4423",
-    ),
-    (
-        "2.8 × 0.70 m",
-        {"height_m": 2.8, "thickness_m": 0.70, "free_element": True, "elastic_modulus_mpa": 1e3},
-        "0.09666 0.6044 0.8013",
-    ),
+    ("3.0 × 0.40 m", {"height_m": 3.0, "thickness_m": 0.40, "elastic_modulus_mpa": 1e3}, "0.19417 0.2408 0.4423"),
+    ("2.8 × 0.70 m", {"height_m": 2.8, "thickness_m": 0.70, "elastic_modulus_mpa": 1e3}, "0.09666 0.6044 0.8013"),
 )
 
 

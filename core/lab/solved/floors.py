@@ -30,9 +30,9 @@ ABOVE_HEADS: tuple[Head, ...] = (("a_Z", "g"), ZETA_LINEAR, ("T_SLV", "s"), ("S_
 
 
 def above(key: str, height: float, thickness: float, z: float, free: bool, values: str) -> Solved:
-    wall = {"height_m": height, "thickness_m": thickness, "base_z_m": z, "free_element": free, "hinge_heights": "base"}
+    wall = {"height_m": height, "thickness_m": thickness, "base_z_m": z, "hinge_heights": "base"}
     if free:
-        wall |= {"elastic_modulus_mpa": 600.0}
+        wall |= {"mechanism": "two_sided", "elastic_modulus_mpa": 600.0}
     asked = Asked(wall, building=BUILDING)
 
     def found() -> tuple[float, ...]:

@@ -130,7 +130,7 @@ def _pushed() -> KinematicAnalysis:
 
 def _vibrating() -> KinematicAnalysis:
     """A wall free to vibrate."""
-    return mechanism_of(WALL, free_element=True, elastic_modulus_mpa=600.0)
+    return mechanism_of(WALL, mechanism="two_sided", elastic_modulus_mpa=600.0)
 
 
 def _bent(load: float, h1: float | None = None) -> Bending:

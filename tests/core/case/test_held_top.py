@@ -29,7 +29,6 @@ REFUSED = {
     "hinges": ({"hinge_heights": "base"}, "bending_finds_hinge"),
     "return walls": ({"length_m": 4.0, "return_walls": ACROSS}, "bending_return_walls"),
     "tie to be designed": ({"hold": [sought(2.5)]}, "bending_tie"),
-    "free element": ({"free_element": True}, "bending_not_free"),
     "no weight": ({"unit_weight_kn_m3": None}, "bending_needs"),
     "stocky": ({"thickness_m": 1.2}, "bending_too_stocky"),
     "tie": ({"hold": [{"kind": "tie", "out_kn_m": 5.0, "h_m": 3.0, "bar_length_m": 8.0}]}, "bending_tie"),

@@ -141,6 +141,9 @@ def test_that_an_older_key_is_refused_with_the_new_writing_of_what_it_says(key):
         with pytest.raises(InputError) as refused:
             read({"wall": [WALL | {key: OLDER[key]}]})
         assert refused.value.code == "old_key" and "hold = [{" in refused.value.text("en")
+        with pytest.raises(InputError) as refused:
+            read({"wall": [WALL | {"free_element": False}]})
+        assert refused.value.code == "old_free" and "hold = [{" in refused.value.text("en")
 
 
 @pytest.mark.parametrize(

@@ -218,20 +218,20 @@ def test_that_damaged_bytes_are_refused_and_never_an_internal_error(tmp_path):
             assert "w.xlsx" in str(error)
 
 
-def test_that_free_elements_their_modulus_and_confirmations_are_columns():
+def test_that_a_modulus_and_confirmations_are_columns():
     rows = (
-        "Parete;z;H;t;Meccanismo;E;peso specifico;Elemento libero;Parete scarica\n;m;m;m;;GPa;kN/m3;;\n"
-        "a;0;4;0,5;su un lato;1,2;18;sì;x\nb;6;4;0,5;su due lati;;;no;\n"
+        "Parete;z;H;t;Meccanismo;E;peso specifico;Parete scarica\n;m;m;m;;GPa;kN/m3;\n"
+        "a;0;4;0,5;su un lato;1,2;18;sì\nb;6;4;0,5;su due lati;;;\n"
     )
     a, b = parse_wall_rows(text_rows(rows))
-    assert (a.free_element, a.unloaded_confirmed, a.elastic_modulus_mpa) == (True, True, 1200.0)
-    assert (b.free_element, b.unloaded_confirmed, b.elastic_modulus_mpa) == (False, False, None)
-    with pytest.raises(InputError, match="row 3, Elemento libero: 'forse' is not accepted"):
-        parse_wall_rows(text_rows(rows.replace(";sì;", ";forse;")))
+    assert (a.unloaded_confirmed, a.elastic_modulus_mpa) == (True, 1200.0)
+    assert (b.unloaded_confirmed, b.elastic_modulus_mpa) == (False, None)
+    with pytest.raises(InputError, match="row 3, Parete scarica: 'forse' is not accepted"):
+        parse_wall_rows(text_rows(rows.replace(";sì", ";forse")))
     for word in ("sì", "si", "Yes", "true", "VERO", "x", "1"):
-        assert parse_wall_rows(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is True
+        assert parse_wall_rows(text_rows(rows.replace(";sì", f";{word}")))[0].unloaded_confirmed is True
     for word in ("no", "false", "FALSO", "0"):
-        assert parse_wall_rows(text_rows(rows.replace(";sì;", f";{word};")))[0].free_element is False
+        assert parse_wall_rows(text_rows(rows.replace(";sì", f";{word}")))[0].unloaded_confirmed is False
 
 
 def workbook(tmp_path, hide=(), sheets=()):

@@ -10,7 +10,7 @@ from core.codes.elastic_branch import branches_of
 from core.setting.check_input import make_rocking_model
 from core.units import G
 
-PARAPET = {"name": "w", "mechanism": "two_sided", "height_m": 1.2, "thickness_m": 0.25, "free_element": True}
+PARAPET = {"name": "w", "mechanism": "two_sided", "height_m": 1.2, "thickness_m": 0.25}
 PARAPET |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 1200.0, "law": "rigid"}
 
 

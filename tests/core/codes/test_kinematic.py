@@ -7,11 +7,11 @@ from core.codes.kinematic import check_displacement, check_linear, check_sld
 from tests.validation.circolare import FREE, HELD, case, mechanism_of
 
 
-def test_that_a_wall_is_free_as_said_else_by_its_mechanism():
+def test_that_a_wall_with_two_sides_is_free_until_something_is_shown_to_hold_it():
     both = case({"mechanism": "both"}).wall[0]
     assert both.in_si.is_free("two_sided") and not both.in_si.is_free("one_sided")
     assert not case(HELD).wall[0].in_si.is_free("two_sided")
-    assert case({**FREE, "mechanism": "one_sided"}).wall[0].in_si.is_free("one_sided")
+    assert case({"hold": [{"kind": "cross_walls"}]}).wall[0].in_si.is_free("two_sided")
 
 
 @pytest.mark.shows("kinematic.sld_free")

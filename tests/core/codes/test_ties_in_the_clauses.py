@@ -77,8 +77,8 @@ def test_that_ties_of_several_heights_break_one_after_another():
 
 
 def test_that_the_inward_side_of_a_two_sided_wall_has_no_tie():
-    found, _ = found_of(ROOF, {**TIE, "out_kn_m": 1.0}, mechanism="two_sided", free_element=False)
-    bare, _ = found_of(ROOF, mechanism="two_sided", free_element=False)
+    found, _ = found_of(ROOF, {**TIE, "out_kn_m": 1.0}, mechanism="two_sided")
+    bare, _ = found_of(ROOF, mechanism="two_sided")
     assert (found.alpha0, found.d0, found.a_limit) == (bare.alpha0, bare.d0, bare.a_limit)
     assert found.chain.ties == () and found.chain.d0_with_ties is None
 

@@ -18,6 +18,7 @@ from core.setting.demand_input import read_demand
 from core.study import run as study
 from core.text.sentence import Number, apart, format_number, sentence
 from core.units import G
+from tests.holds import BOUND
 
 SPECTRUM = {"code": "EN1998", "soil": "B", "type": 1}
 
@@ -310,14 +311,7 @@ def test_that_everything_that_makes_a_verdict_indicative_and_can_be_mended_has_i
 
 
 def test_that_a_soil_factor_nobody_gave_is_said(tmp_path):
-    wall = {
-        "name": "w",
-        "height_m": 5.0,
-        "thickness_m": 0.9,
-        "base_z_m": 0.0,
-        "mechanism": "two_sided",
-        "free_element": False,
-    }
+    wall = {"name": "w", "height_m": 5.0, "thickness_m": 0.9, "base_z_m": 0.0, "mechanism": "two_sided"} | BOUND
     for factor, expected in ((None, {"indicative"}), (1.0, {"verified", "not_verified", "indicative"})):
         demand = {"ag_g": 0.17, **({"soil_factor": factor} if factor else {})}
         result = study.run(parse_case({"wall": [wall], "demand": demand}), base_dir=tmp_path)
@@ -338,7 +332,7 @@ def test_that_a_wall_above_the_ground_gets_no_check_at_all(tmp_path):
 
 @pytest.mark.shows("kinematic.sld_restrained")
 def test_that_sld_is_checked_without_q(tmp_path):
-    result = study.run(case(wall={"free_element": False}, limit_state="SLD"), base_dir=tmp_path)
+    result = study.run(case(wall=BOUND, limit_state="SLD"), base_dir=tmp_path)
     (check,) = result.walls[0].assessment.checks
     assert check.clause == "C8.7.1.2.1.5" and check.q == 1.0
     assert check.zeta == pytest.approx(0.83 / 7.0 / 1.35 / 0.312, rel=1e-12)
@@ -427,7 +421,7 @@ def test_that_the_displacement_check_says_when_its_zeta_is_that_of_the_start(nam
 @pytest.mark.shows("kinematic.supports")
 @pytest.mark.parametrize(("ag", "loads", "is_said"), [(0.08, [FLOOR], True), (0.08, [], False), (0.9, [FLOOR], False)])
 def test_that_a_wall_that_passes_says_that_the_supports_of_its_floors_are_not_checked(tmp_path, ag, loads, is_said):
-    wall = {"height_m": 4.0, "unit_weight_kn_m3": 18.0, "free_element": False}
+    wall = {"height_m": 4.0, "unit_weight_kn_m3": 18.0} | BOUND
     wall |= {"load": loads} if loads else {"unloaded_confirmed": True}
     asked = replace(case(ag, wall), analysis=replace(case().analysis, histories="none"))
     found = study.run(asked, base_dir=tmp_path).walls[0]

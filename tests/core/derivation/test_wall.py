@@ -22,7 +22,7 @@ from core.study.run import run
 from core.units import G
 from core.wall.restitution import MODELS
 from tests.clauses_alone import parse_case
-from tests.holds import between, carries
+from tests.holds import BOUND, between, carries
 from tests.validation.circolare import EN_B, NTC_C
 
 LOADS = (
@@ -122,7 +122,7 @@ def wall_of(draw, k):
         "mechanism": mechanism,
         "base_z_m": draw.choice((0.0, 0.0, 6.0)),
         "hinge_heights": "base",
-        "free_element": draw.random() < 0.4,
+        **(BOUND if draw.random() < 0.6 else {}),
         "unit_weight_kn_m3": round(draw.uniform(16.0, 21.0), 2),
         "elastic_modulus_mpa": round(draw.uniform(600.0, 2000.0)),
         "restitution": draw.choice(OF_MECHANISM[mechanism]),

@@ -71,7 +71,7 @@ def test_that_the_speed_before_an_impact_is_that_of_the_motion(kept):
 def test_that_reactions_of_a_turning_wall_are_in_its_results():
     demand = {"ag_g": 0.2, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
     table = {"demand": demand, "generate": {"count": 3, "scatter": 0.0}}
-    wall = TURNING | {"hold": [BEHIND, TIE], "free_element": False}
+    wall = TURNING | {"hold": [BEHIND, TIE]}
     found = run(parse_case(table | {"wall": [wall]}), base_dir=ROOT).walls[0].assessment.reactions
     rows = {(row.hold, row.check): row for row in found}
     assert set(rows) == {(hold, check) for hold in ("tie", "behind") for check in ("kinematic", "dynamic")}

@@ -499,7 +499,7 @@ def test_that_the_reasons_of_the_engineer_are_printed():
         "thickness_m": 0.6,
         "mechanism": "one_sided",
         "base_z_m": 0.0,
-        "evidence": shown(free_element="held by two floors"),
+        "evidence": shown(law="held by two floors"),
     }
     demand = {"ag_g": 0.2, "soil_factor": 1.2, "evidence": shown(q_code="tests on this masonry")}
     result = run(parse_case({"wall": [wall], "demand": demand}), base_dir=ROOT)

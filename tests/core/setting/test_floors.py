@@ -16,6 +16,7 @@ from core.study.run import run
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
 from tests.core.variation.one_evaluation import looked_at
+from tests.holds import BOUND
 
 BUILDING = {"height_m": 9.0, "storeys": 3, "period_s": 0.26}
 DEMAND = {"ag_g": 0.26, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}}
@@ -147,13 +148,9 @@ def test_that_no_demand_of_the_floor_is_below_that_of_the_ground():
     """The spectra of the floor go to zero with its height: a wall a centimetre up had zeta 324."""
     building = {"height_m": 30.0, "storeys": 8, "period_s": 0.8}
     for free in (True, False):
-        keys = {
-            "height_m": 1.0,
-            "thickness_m": 0.2,
-            "free_element": free,
-            "unit_weight_kn_m3": 18.0,
-            "elastic_modulus_mpa": 600.0,
-        }
+        keys = {"height_m": 1.0, "thickness_m": 0.2, "unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 600.0} | (
+            {} if free else BOUND
+        )
         found = []
         for z in (0.0, 0.01, 1.0, 3.0):
             wall = parse_case({"wall": [{**WALL, **keys, "base_z_m": z}], "building": building, "demand": DEMAND})
@@ -224,7 +221,7 @@ def test_that_an_odd_building_is_questioned(building, codes):
 
 
 def test_that_a_wall_at_rest_is_told_the_acceleration_of_its_floor():
-    keys = {"height_m": 1.0, "thickness_m": 0.35, "mechanism": "two_sided", "free_element": False}
+    keys = {"height_m": 1.0, "thickness_m": 0.35, "mechanism": "two_sided"} | BOUND
     wall = parse_case(
         {
             **{key: value for key, value in TABLE.items() if key != "record"},

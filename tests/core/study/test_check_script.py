@@ -105,7 +105,7 @@ def drawn(chance) -> dict:
         case 0:
             wall["law"] = str(chance.choice(["doherty", "al_shawa"]))
         case 1:
-            wall |= {"law": "elastic", "elastic_modulus_mpa": 600.0, "free_element": True}
+            wall |= {"law": "elastic", "elastic_modulus_mpa": 600.0}
         case 2:
             wall["load"] = [load("vertical", 15.0, mass="horizontal"), load("carried_mass", 5.0)]
         case 3:

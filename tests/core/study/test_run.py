@@ -133,10 +133,7 @@ def test_that_a_resume_with_every_run_done_makes_no_analysis(folder, tmp_path, r
     wall = {"height_m": 3.0, "thickness_m": 0.3, "unit_weight_kn_m3": 18.0, "mechanism": "one_sided"}
     spectrum = {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "B", "topography": "T1"}
     asked = case(
-        wall=[
-            {**wall, "name": "t", "base_z_m": 0.0, "hold": [sought(2.8)], "free_element": True},
-            {**wall, "name": "high", "base_z_m": 3.0},
-        ],
+        wall=[{**wall, "name": "t", "base_z_m": 0.0, "hold": [sought(2.8)]}, {**wall, "name": "high", "base_z_m": 3.0}],
         building={"height_m": 9.0, "storeys": 3, "period_s": 0.3},
         demand={"ag_g": 0.2, "spectrum": spectrum},
     )

@@ -119,7 +119,7 @@ def test_that_s_follows_a_g_where_the_code_says_so(result):
 def test_that_of_several_hinges_each_state_has_the_rate_of_the_worst(case):
     """Each hinge by itself, with FC and in the nominal life of the case."""
     table = table_of(case)
-    wall = {key: value for key, value in LOADED.items() if key not in ("load", "free_element", "hold")}
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "hold")}
     wall |= {"mechanism": "two_sided", "unloaded_confirmed": True}
     table |= {
         "wall": [wall],

@@ -16,6 +16,7 @@ from core.units import G
 from tests.conftest import STANDING
 from tests.core.report import whole_workbook
 from tests.core.study.cases import case
+from tests.holds import BOUND
 
 
 @pytest.mark.shows("dynamic.signs")
@@ -47,14 +48,7 @@ def of_stations(folder, reference, names: str, **more):
         ]
         (folder / f"{k}.AT2").write_text("\n".join(lines))
         entries.append({"file": f"{k}.AT2"})
-    wall = {
-        "name": "w",
-        "height_m": 3.0,
-        "thickness_m": 0.3,
-        "base_z_m": 0.0,
-        "mechanism": "two_sided",
-        "free_element": False,
-    }
+    wall = {"name": "w", "height_m": 3.0, "thickness_m": 0.3, "base_z_m": 0.0, "mechanism": "two_sided"} | BOUND
     demand = {"ag_g": 0.1, "spectrum": {"code": "EN1998", "type": 1, "soil": "B"}, "demand_scaling": "pga"}
     table = {"wall": [wall], "record": entries, "demand": demand, "analysis": {"q_step": 0.02}, **more}
     return study.run(parse_case(table), base_dir=folder)

@@ -137,7 +137,6 @@ def _ways():
         ("velocity_ratio", 0.3, "velocity_ratio"),
         ("law", "doherty", "law"),
         ("law", "rigid", "law"),
-        ("free_element", True, "free_element"),
         ("hinge_heights", "base", "heights_left_out hinges_as_asked"),
         ("hinge_heights", [3.0], "heights_left_out hinges_as_asked"),
         ("hinge_setback_m", 0.0, "hinge_setback_m"),
@@ -209,7 +208,9 @@ def _ways():
     modes = [{"period_s": 0.26, "damping": 0.1, "participation": 0.05}]
     idle = {"building.period_s": DROP, "building.modes": modes}
     yield Way("a mode that takes no part", "parapet", idle, "participation")
-    yield Way("a parapet that is not free", "parapet", {WALL + "free_element": False}, "free_element")
+    yield Way(
+        "a parapet that is not free", "parapet", {WALL + "hold": behind("", kind="cross_walls")}, "hold elastic_branch"
+    )
     yield Way("a parapet by the rigid law", "parapet", {WALL + "law": "rigid"}, "law")
     yield Way("a parapet of stiff masonry", "parapet", {WALL + "elastic_modulus_mpa": 10000.0}, "law elastic_branch")
     held = {WALL + "hold": behind(name="tetto")}

@@ -54,8 +54,6 @@ def _wall(draw: random.Random, mechanism: str) -> dict:
     wall = carries(*loads, **wall)
     if draw.random() < 0.4:
         wall["elastic_modulus_mpa"] = round(draw.uniform(500.0, 3000.0), 0)
-        if draw.random() < 0.4:
-            wall["free_element"] = draw.random() < 0.5
     if draw.random() < 0.3:
         wall["compressive_strength_mpa"] = round(draw.uniform(1.0, 5.0), 1)
     if draw.random() < 0.2 and mechanism != "vertical_bending":

@@ -17,7 +17,7 @@ from core.variation import assessment
 from core.variation.assessment import assess
 from core.variation.evaluate import evaluate
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
-from tests.holds import behind, carries
+from tests.holds import BOUND, behind, carries
 
 TIE = {"kind": "tie", "out_kn_m": 1.0, "h_m": 4.0, "bar_length_m": 6.0}
 SPECTRUM = {"ag_g": 0.1, "spectrum": NTC}
@@ -304,7 +304,7 @@ def test_that_a_wall_of_both_mechanisms_has_the_other_beside_it_and_no_row_of_it
 
 def test_that_a_wall_that_rocks_both_ways_needs_no_restraint():
     two_sided = {key: value for key, value in WALL.items() if key != "hold"}
-    found = by_restraint((1.5, True), (0.8, False), two_sided | {"mechanism": "two_sided", "free_element": False})
+    found = by_restraint((1.5, True), (0.8, False), two_sided | {"mechanism": "two_sided"} | BOUND)
     assert found.lower_bound is None and "hold" not in {row.key for row in found.verdict.assumptions}
 
 
@@ -327,7 +327,7 @@ def test_that_a_wall_held_at_its_top_is_shown_overturning_about_its_base(monkeyp
     weak = SPECTRUM | {"ag_g": 0.06}
     found = assess(scene_of(light, weak, building=BUILDING))
     free = {key: value for key, value in light.items() if key != "hold"}
-    alone = assess(scene_of(free | {"mechanism": "one_sided", "free_element": False}, weak, building=BUILDING))
+    alone = assess(scene_of(free | {"mechanism": "one_sided"}, weak, building=BUILDING))
     assert found.verdict.lower_bound == pytest.approx(alone.verdict.zeta_e) and found.bound_passes is False
     (row,) = (row for row in found.verdict.assumptions if row.key == "hold")
     assert row.words.code == "top_fails" and row.outcome == "not_verified"

@@ -201,18 +201,6 @@ def test_that_of_loads_the_first_check_they_raise_is_told_and_none_where_they_ra
     assert table(one("load", 0.9), dynamic=2.0) == () and table(one("load", 1.0)) == ()
 
 
-def test_that_of_a_wall_declared_free_or_not_the_check_that_fares_worst_is_told(table):
-    (row,) = table(one("free_element", 1.3), zeta=1.2, dynamic=2.0)
-    assert dict(row.words.values)["check"] == "linear_q_code" and row.zeta == pytest.approx(1.2 / 1.3)
-    (row,) = table(one("free_element", 1.3), zeta=3.0, dynamic=2.0)
-    assert dict(row.words.values)["check"] == "dynamic" and row.zeta == pytest.approx(2.0 / 1.3)
-    held, free = {"free_element": False}, {"free_element": True, "law": "rigid", "elastic_modulus_mpa": 5000.0}
-    assert [row.raises for row in table(one("free_element", 0.9), wall=held)] == [False]
-    assert table(one("free_element", 1.0), wall=free, dynamic=2.0) == ()
-    assert len(table(one("free_element", 1.1), wall=free, dynamic=2.0)) == 1
-    assert [row.raises for row in table(one("free_element", 1.0), wall=held)] == [False]
-
-
 def test_that_where_records_are_there_by_default_the_check_that_decides_at_the_end_is_told(table):
     """Histories of 1.2 decide over a displacement check of more; at the end the displacement check may."""
     spectrum = {"ag_g": 0.05, "spectrum": NTC, "soil_factor": None}
@@ -342,15 +330,6 @@ def test_that_the_friction_of_return_walls_is_shown_without_it():
     assert lift(found, "lift_return_walls")["zeta"].value == pytest.approx(without.verdict.zeta_e)
 
 
-@pytest.mark.shows("lifts.free_element")
-def test_that_a_two_sided_wall_declared_held_is_shown_as_a_free_element():
-    wall = {"mechanism": "two_sided", "hold": None, "free_element": False, "elastic_modulus_mpa": 600.0}
-    found = made(wall, records=False)
-    free = made({**wall, "free_element": True}, records=False)
-    linear = next(check for check in free.checks if check.name == "linear_q_code")
-    assert lift(found, "lift_free_element")["zeta"].value == pytest.approx(linear.zeta)
-
-
 @pytest.mark.shows("lifts.participation")
 def test_that_a_participation_below_that_of_the_clause_is_shown_with_it():
     """C7.2.10: gamma psi = 9/7 z/H_b."""
@@ -413,32 +392,6 @@ def test_that_a_larger_q_is_not_said_of_a_check_that_takes_none():
 
 ABOVE = {"base_z_m": 6.0, "height_m": 3.0, "thickness_m": 0.35, "hold": behind(to_m=3.0)}
 TESTED = {"confidence_factor": 1.0, "knowledge_level": "LC3", "evidence": shown(confidence_factor="flat jacks")}
-
-
-def test_that_a_wall_at_rest_by_an_input_that_raises_zeta_is_indicative():
-    """A chimney declared held lies still under a_g S; S_e(T_0) lifts it, and the displacement check fails."""
-    wall = {"mechanism": "two_sided", "hold": None, "height_m": 0.6, "thickness_m": 0.2}
-    wall |= {"elastic_modulus_mpa": 600.0}
-    found = made({**wall, "free_element": False}, {"ag_g": 0.18}, records=False)
-    free = made(wall, {"ag_g": 0.18}, records=False)
-    assert free.verdict.zeta_e < 1.0 < found.verdict.zeta_e and found.verdict.code == "indicative"
-    assert lift(found, "lift_free_element")["zeta"].value == pytest.approx(free.verdict.zeta_e)
-
-
-def test_that_a_wall_declared_held_is_named_where_no_linear_check_is_made():
-    wall = {"mechanism": "two_sided", "hold": None, "free_element": False, "elastic_modulus_mpa": 600.0}
-    found = made(wall, {"limit_state": "SLC"}, records=False)
-    assert lift(found, "lift_free_element")["zeta"].value == pytest.approx(found.verdict.zeta_e)
-
-
-def test_that_a_one_sided_wall_declared_free_is_shown_held_where_that_is_less():
-    """T_0 of a slender wall of small E lies beyond the plateau: S_e(T_0) is less than a_g S."""
-    wall = {"height_m": 7.0, "thickness_m": 0.45, "elastic_modulus_mpa": 250.0}
-    found = made({**wall, "free_element": True}, {"ag_g": 0.07}, records=False)
-    held = next(check for check in made(wall, {"ag_g": 0.07}, records=False).checks if check.name == "linear_q_code")
-    assert lift(found, "lift_one_sided_free")["zeta"].value == pytest.approx(held.zeta)
-    stiff = made({**wall, "free_element": True, "elastic_modulus_mpa": 2000.0}, {"ag_g": 0.07}, records=False)
-    assert lift(stiff, "lift_one_sided_free") is None
 
 
 def test_that_a_building_damped_beyond_the_clause_is_indicative_at_sld_until_it_is_justified():

@@ -175,7 +175,7 @@ def test_that_a_verdict_knows_the_strongest_motion_and_whether_one_is_of_the_exa
     ],
 )
 def test_that_a_one_sided_wall_asks_for_each_record_with_both_signs(mechanism, polarity, both):
-    wall = WALL | {"mechanism": mechanism, "free_element": False}
+    wall = WALL | {"mechanism": mechanism}
     assert evaluate(scene_of(wall).replace_parts(polarity=polarity)).evidence.circumstances.both_signs == both
 
 
@@ -261,7 +261,7 @@ def test_that_histories_are_of_the_model_as_it_is_where_it_has_no_branch_and_non
         ({}, ""),
         ({"law": "rigid"}, ""),
         ({"height_m": 4.0, "elastic_modulus_mpa": 20.0}, "does_not_rock"),
-        ({"mechanism": "one_sided", "free_element": True, "hold": [TIE | {"h_m": 1.0}]}, "rigid_free"),
+        ({"hold": [TIE | {"h_m": 1.0}]}, "rigid_free"),
     ],
 )
 def test_that_histories_of_a_free_element_without_a_branch_say_why(change, unbranched):

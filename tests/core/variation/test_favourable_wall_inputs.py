@@ -12,7 +12,7 @@ from core.setting import demand_input
 from core.variation.evaluate import evaluate
 from core.variation.favourable_wall_inputs import favourable_inputs
 from tests.core.variation.one_evaluation import BARE, MOTION, NTC, SOIL, WALL, history, scene_of, with_histories
-from tests.holds import carries, shown
+from tests.holds import BOUND, carries, shown
 
 SPECTRUM = {"ag_g": 0.05, "spectrum": NTC}
 PARAPET = {"name": "p", "height_m": 1.2, "thickness_m": 0.25, "mechanism": "two_sided", "base_z_m": 0.0}
@@ -183,29 +183,6 @@ def test_that_given_records_that_scatter_less_than_half_as_much_as_natural_ones_
 # free to vibrate, the law, the branch
 
 
-@pytest.mark.parametrize(
-    "mechanism, free, code",
-    [
-        ("two_sided", False, "lift_free_element"),
-        ("one_sided", True, "lift_one_sided_free"),
-        ("two_sided", True, None),
-        ("one_sided", False, None),
-        ("one_sided", None, None),
-        ("two_sided", None, None),
-    ],
-)
-def test_that_a_wall_declared_unlike_its_mechanism_is_shown_like_it(mechanism, free, code):
-    wall = WALL | {"elastic_modulus_mpa": 1000.0, "free_element": free}
-    wall |= TWO_SIDED | {"mechanism": mechanism} if mechanism == "two_sided" else {}
-    rows, scene = rows_of(wall, SPECTRUM)
-    assert rows.keys() & {"lift_free_element", "lift_one_sided_free"} == ({code} if code else set())
-    if code:
-        row = rows[code]
-        assert wall_at(row, scene).free_element is None and (row.source, row.histories) == ("declared", False)
-        words = ("held", "free_to_vibrate") if free is False else ("free_to_vibrate", "held")
-        assert (row.value.code, row.ends[0].value.code) == words
-
-
 def test_that_a_trilinear_law_is_shown_rigid():
     for law, named in (("doherty", "doherty"), ({"elastic_limit": 0.05, "plateau_end": 0.25}, "D1 0.05, D2 0.25")):
         rows, scene = rows_of(WALL | {"law": law}, zeta=1.2)
@@ -221,7 +198,7 @@ def test_that_a_rigid_law_of_a_free_element_that_passes_is_shown_with_its_branch
     for wall, zeta in ((rigid, 0.9), (PARAPET, 1.2), (WALL | {"law": "rigid"}, 1.2)):
         assert "lift_rigid" not in rows_of(wall, zeta=zeta, passed=zeta > 1.0)[0]
     tie = {"kind": "tie", "out_kn_m": 0.5, "h_m": 4.0, "bar_length_m": 6.0}
-    tied = carries(tie, **BARE | {"law": "rigid", "free_element": True})
+    tied = carries(tie | {"h_m": 1.0}, **PARAPET | {"law": "rigid"})
     assert "lift_rigid" not in rows_of(tied, zeta=1.2)[0]
 
 
@@ -398,7 +375,7 @@ def test_that_a_restraint_that_meets_a_body_below_its_top_is_shown_at_it(h, said
         row = rows["lift_contact"]
         assert (row.key, row.value, wall_at(row, scene).height_m) == ("contact", h, pytest.approx(4.5))
         assert values(row, [0.9])["h"] == h and values(row, [0.9])["top"] == pytest.approx(4.5)
-    for other in ({"restitution": "costa_upper"}, {"velocity_ratio": 0.3}, TWO_SIDED | {"free_element": False}):
+    for other in ({"restitution": "costa_upper"}, {"velocity_ratio": 0.3}, TWO_SIDED | BOUND):
         assert "lift_contact" not in rows_of(wall | other, zeta=1.2)[0]
 
 

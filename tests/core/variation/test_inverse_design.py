@@ -65,7 +65,7 @@ def test_that_the_value_found_gives_what_is_required(wall, keys):
 
 @pytest.mark.parametrize("count", [3, pytest.param(7, marks=pytest.mark.long)])
 def test_that_histories_hold_in_the_run_at_what_is_found(count):
-    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa")}
     generate = {"scatter": 0.0, "count": count}
     table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.35}, generate=generate)
     table["demand"]["spectrum"] = {**table["demand"]["spectrum"], "soil": "A"}
@@ -86,7 +86,7 @@ def test_that_histories_hold_in_the_run_at_what_is_found(count):
 @pytest.mark.shows("search.inverse")
 def test_that_what_no_value_reaches_is_none():
     """A thin wall on which nothing but its own height acts: no tie, and a_g far beyond the search."""
-    bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
+    bare = {key: value for key, value in LOADED.items() if key != "load"}
     table = case_of(bare | {"thickness_m": 0.12, "height_m": 12.0, "unloaded_confirmed": True}, demand={"ag_g": 1.9})
     found = find_target_value(setting(table), "thickness_m", 0.12).by_check
     assert found["linear_q_code"] is None
@@ -105,7 +105,7 @@ def test_that_a_check_satisfied_throughout_has_no_value_and_a_refused_one_is_no_
     found = find_target_value(wedges, "thickness_m", 0.9)
     assert found.by_check["nonlinear"] is None and found.by_check["dynamic"] is None
     assert set(found.throughout) == {"nonlinear", "dynamic"} and found.by_check["linear_q_code"] > 0.9
-    bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
+    bare = {key: value for key, value in LOADED.items() if key != "load"}
     back = bare | {"unloaded_confirmed": True, "hinge_setback_m": 0.15}
     low = find_target_value(setting(case_of(back, demand={"ag_g": 0.01})), "thickness_m", 0.5)
     assert low.by_check == {"nonlinear": None, "linear_q_code": None}

@@ -40,7 +40,6 @@ LOADED = {
     "length_m": 4.0,
     "base_z_m": 0.0,
     "hold": [{"kind": "cross_walls"}],
-    "free_element": True,
     "law": "rigid",
     "elastic_modulus_mpa": 1500.0,
     "load": [{"kind": "vertical", "kn_m": 12.0, "d_m": 0.35, "h_m": 5.8, "mass": "horizontal"}],
@@ -124,7 +123,7 @@ def test_that_each_move_of_the_building_is_the_run_of_the_changed_case():
 @pytest.mark.long
 def test_that_each_move_with_records_is_the_run_of_the_changed_case(tmp_path):
     """The motions as files, so that they follow a_g by the factor of their entries."""
-    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa")}
     table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.15}, generate={"scatter": 0.0, "count": 4})
     table["analysis"] = {"q_step": 0.05}
     motions = read_inputs(parse_case(table), CASES)[1]
@@ -222,7 +221,7 @@ def test_that_a_tested_strength_is_moved_with_its_fc_and_its_steps_with_the_wall
     setback = result.walls[0].wall.setback
     stronger = moved(table, ("wall", 0, "compressive_strength_mpa"), 2.0 * setback / (setback + 0.03))
     assert zeta == pytest.approx(zeta_of(stronger), rel=1e-12) and "setback_m" not in dict(found.sensitivity.refused)
-    bare = {key: value for key, value in LOADED.items() if key not in ("load", "free_element")}
+    bare = {key: value for key, value in LOADED.items() if key != "load"}
     stepped = bare | {"unloaded_confirmed": True, "steps": [{"from_z_m": 3.0, "thickness_m": 0.35}]}
     table = case_of(stepped)
     found, _ = sensitivity(table)
@@ -332,7 +331,7 @@ def test_that_the_record_left_out_is_the_one_whose_loss_moves_zeta_most_and_its_
     """Record 3 overturns from the multiplier 70 on, 4 from 110: without 3 zeta is highest, without 0 as low as any."""
     multipliers, peaks = 0.4 * 1.01 ** np.arange(160), np.full((7, 160), 0.1)
     peaks[3, 70:], peaks[4, 110:] = np.inf, np.inf
-    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa", "free_element")}
+    wall = {key: value for key, value in LOADED.items() if key not in ("load", "elastic_modulus_mpa")}
     table = case_of(wall | {"unloaded_confirmed": True}, demand={"ag_g": 0.2}, generate={"scatter": 0.0, "count": 7})
     case = parse_case(table)
     setting = make_wall_context(case, 0, CASES, read_inputs(case, CASES))

@@ -176,7 +176,7 @@ def test_that_a_wall_held_by_cross_walls_has_no_branch_and_a_tied_free_one_is_on
     held = scene_of(WALL | {"unloaded_confirmed": True}, {"ag_g": 0.1, "spectrum": NTC}, generate={"count": 3})
     assert held.branches == ()
     tie = {"kind": "tie", "out_kn_m": 5.0, "h_m": 3.5, "bar_length_m": 6.0, "elongation_m": 0.3}
-    free = carries(tie, **WALL, free_element=True)
+    free = carries(tie, **WALL | {"mechanism": "two_sided", "hold": []})
     found = evaluate(scene_of(free, {"ag_g": 0.02, "spectrum": NTC}, generate={"count": 7}), other=False)
     assert found.evidence.circumstances.unbranched == "rigid_free" and found.outcome == "indicative"
 

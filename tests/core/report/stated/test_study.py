@@ -34,7 +34,7 @@ BARS = {"number": 1, "diameter_mm": 12.0}
 TIE = {"kind": "tie", "h_m": 6.5, "bar_length_m": 8.0, "bar": BARS, "elongation_m": 0.16}
 TIED |= {"hold": [TIE, sought(6.0, bar_length_m=8.0)]}
 HIGH = {"name": "high", "mechanism": "both", "height_m": 1.5, "thickness_m": 0.3, "base_z_m": 9.0, "length_m": 4.0}
-HIGH |= {"unit_weight_kn_m3": 18.0, "free_element": True, "elastic_modulus_mpa": 900.0}
+HIGH |= {"unit_weight_kn_m3": 18.0, "elastic_modulus_mpa": 900.0}
 HIGH |= {"openings": [{"s_m": 1.0, "z_m": 0.5, "width_m": 1.0, "height_m": 0.5}]}
 
 
