@@ -22,7 +22,7 @@ from core.case.wall import Wall
 from core.errors import InputError, place
 from core.quantities import UNITS_WRITTEN, factor_to, unit_of
 from core.text.catalogue import CATALOGUE
-from core.text.sentence import LANGUAGES, Sentence
+from core.text.sentence import LANGUAGES, Key, Sentence
 
 MAX_LOADS = 4
 
@@ -268,6 +268,8 @@ def _heads(cells: list[str]) -> list[str]:
             raise InputError("variant_of_in_table", column=cell[:60])
         if written := _name_of_older(name):
             raise InputError("old_column", column=cell[:60], written=written)
+        if name in ("free_element", "free to vibrate", "libero di vibrare", "elemento libero"):
+            raise InputError("old_free", key=cell[:60], written="hold1_kind", mechanism=Key("mechanism"))
         if name in ("all_directions", "all directions", "tutte le direzioni"):
             raise InputError("directions_by_themselves", key=cell[:60], most=LONGEST)
         if name not in known:

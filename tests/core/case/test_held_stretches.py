@@ -336,7 +336,7 @@ def test_that_anchors_and_ties_between_floors_stop_nothing_inward():
         ({"kind": "floor"}, []),
     ):
         case = parse_case({"wall": [wall | {"hold": [{"h_m": 3.2} | middle | shown, roof]}]})
-        (way,) = find_held_ways(case.wall[0])
+        way = find_held_ways(case.wall[0])[0]
         spans = [(stretch.low, stretch.high) for stretch in way if stretch.inward]
         assert spans == inward
         for stretch in way[len(way) - len(spans) :]:

@@ -94,9 +94,9 @@ def test_that_the_template_is_read_as_it_is():
     ("column", "words", "section", "key"),
     [
         ("J", wall_columns.WORDS_OF_CHOICE["hold.kind"], Hold, "kind"),
-        ("AA", wall_columns.WORDS_OF_CHOICE["evidence.kind"], Document, "kind"),
-        ("P", wall_columns.LOAD_KINDS, Load, "kind"),
-        ("T", wall_columns.LOAD_MASSES, Load, "mass"),
+        ("Z", wall_columns.WORDS_OF_CHOICE["evidence.kind"], Document, "kind"),
+        ("O", wall_columns.LOAD_KINDS, Load, "kind"),
+        ("S", wall_columns.LOAD_MASSES, Load, "mass"),
         ("I", wall_columns.MECHANISMS, Wall, "mechanism"),
     ],
 )
