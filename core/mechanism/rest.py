@@ -162,7 +162,7 @@ def _through_stretch(sections: Sections, entering: list[State], upper: float, lo
     """States below a stretch in which nothing changes. No section opens nearer to the top than the wall is thick, as no
     hinge does: above the height uncut [m]. The greatest moment is convex in z, so that it cuts between two sections,
     where the line of a state touches it: those sections are added for the states that are left."""
-    places = [upper + (lower - upper) * k / SECTIONS for k in range(1, SECTIONS + 1)]
+    places = [*(upper + (lower - upper) * k / SECTIONS for k in range(1, SECTIONS)), lower]  # not next to it
     places += [uncut] if lower < uncut < upper else []
     # the greatest moment is a quadratic function of z over a stretch of constant section
     inside = sections.at_below(upper), sections.at(0.5 * (upper + lower)), sections.at(lower)

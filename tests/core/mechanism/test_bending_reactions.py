@@ -24,6 +24,9 @@ def sides():
     return MovingStrip(OUTWARD, H1), MovingStrip(INWARD, H1)
 
 
+MANY = pytest.mark.parametrize("count", [200, pytest.param(2000, marks=pytest.mark.long)])
+
+
 def random_strip(draw):
     height = draw.uniform(2.5, 6.0)
     thickness = height / draw.uniform(3.5, 12.0)
@@ -60,10 +63,11 @@ def test_that_impulses_and_the_mass_at_the_top_are_the_worked_ones(sides):
     assert kept_rate(outward, inward) == pytest.approx(kept_at_impact(OUTWARD, INWARD, H1), rel=1e-12)
 
 
-def test_that_multiplier_and_motion_are_those_of_the_kinematic_check_and_of_the_histories():
+@MANY
+def test_that_multiplier_and_motion_are_those_of_the_kinematic_check_and_of_the_histories(count):
     """Two derivations: virtual work by rates in closed form, and points that are placed."""
     draw = random.Random(3)
-    for _ in range(40):
+    for _ in range(count):
         strip = random_strip(draw)
         h1 = lowest_hinge(strip)
         moving, motion = MovingStrip(strip, h1), Motion(strip, h1)
@@ -75,10 +79,11 @@ def test_that_multiplier_and_motion_are_those_of_the_kinematic_check_and_of_the_
         assert moving.acceleration(theta, 0.0, 0.7) == pytest.approx((0.7 * moved - risen) / inertia, rel=1e-9)
 
 
-def test_that_the_reactions_of_a_moving_wall_are_in_equilibrium_with_its_accelerations():
+@MANY
+def test_that_the_reactions_of_a_moving_wall_are_in_equilibrium_with_its_accelerations(count):
     """Moments of both blocks about the base, from their coordinates: the hold's lever is the height of the top."""
     draw = random.Random(4)
-    for _ in range(20):
+    for _ in range(count):
         strip = random_strip(draw)
         moving = MovingStrip(strip, lowest_hinge(strip))
         theta, speed, alpha = draw.uniform(0.001, 0.05), draw.uniform(-0.5, 0.5), draw.uniform(-1.0, 2.0)
