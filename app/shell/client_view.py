@@ -20,6 +20,7 @@ from app.look.language import describe_message, result_word, tr
 from app.shell.film import Film
 from app.views.runs import time_before_motion
 from core import atomic_write
+from core.answer.answer import Answer
 from core.case.variant_names import AS_IS
 from core.codes.outcomes import OUTCOMES
 from core.errors import InputError, OutputError
@@ -58,27 +59,20 @@ class Side:
 def sides_of(result: StudyResult, wall: WallResult) -> list[Side]:
     """Before and after, or the wall alone, each with the outcome of the wall and the lowest share of its hinges, and as
     the hinge that decides moves; under the record at the demand that turns the first one most."""
-    verdicts = walls_beside(result, wall)
+    answers = [Answer(result, verdict) for verdict in walls_beside(result, wall)]
+    if not all(answer.records for answer in answers):
+        return []
     sides = []
-    run = None
-    for of_wall in verdicts:
-        one = result.walls[of_wall.governing]
-        dynamic = one.assessment.dynamic if one.assessment else None
-        if dynamic is None:
-            return []
-        if run is None:
-            run = max(dynamic.runs, key=lambda run: np.inf if run.peak_ratio is None else run.peak_ratio)
+    for answer in answers:
+        worst = answers[0].records[0]
         # a mechanism that takes each record with one sign alone has the other one by it
-        same = [r for r in dynamic.runs if r.motion == run.motion]
-        motion, moved = history_at_demand(result, one, next((r for r in same if r.polarity == run.polarity), same[0]))
-        assessed = [require_value(result.walls[k].assessment).verdict for k in of_wall.results]
-        # zeta of records that are not at the demand is no share of it
-        apart = not result.motions_at_demand and any(verdict.governing == "dynamic" for verdict in assessed)
-        least = None if apart else of_wall.zeta_least
-        share = None if least is None else least / assessed[0].zeta_target
-        alone, before = len(verdicts) == 1, of_wall.wall.variant == AS_IS
+        same = [run for run in answer.records if run.motion == worst.motion]
+        run = next((run for run in same if run.polarity == worst.polarity), same[0])
+        motion, moved = history_at_demand(result, answer.decides, run)
+        alone, before = len(answers) == 1, answer.wall.variant == AS_IS
         title = tr("The wall") if alone else tr("As it is") if before else tr("As designed")
-        sides.append(Side(title, one, share, tone_of(result, one), moved.rotation, motion.time_step))
+        tone = tone_of(result, answer.decides)
+        sides.append(Side(title, answer.decides, answer.share, tone, moved.rotation, motion.time_step))
     return sides
 
 

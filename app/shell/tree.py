@@ -22,6 +22,7 @@ from app.input.wall_text import differences
 from app.look import theme
 from app.look.labels import escape_html
 from app.look.language import number, result_word, tr, variant_word
+from core.answer.answer import worst_of
 from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
@@ -124,8 +125,7 @@ def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
             yield _wall(state, alike[0], name, 1, broken)
             yield from _hinges(state, alike[0], 2)
             continue
-        known = [(_zeta(state, k), k) for k in alike]
-        worst = min(known, key=lambda one: (one[0] is None, one[0] or 0.0))[1]
+        worst = _worst(state, alike)
         group = _wall(state, worst, name, 1, broken)
         yield Row(1, "group", name, group.chip, group.tone, worst, group.result)
         for k in alike:
@@ -135,12 +135,12 @@ def _walls(state: State, broken: set[int | None]) -> Iterable[Row]:
             yield from _hinges(state, k, 3)
 
 
-def _zeta(state: State, k: int) -> float | None:
+def _worst(state: State, alike: list[int]) -> int:
+    """The row that a group shows: of variants the one with the worst answer, while they run that which is there."""
     if state.finished is not None:
-        return state.finished.get(k, (None, False))[0]
-    results = state.of_row.get(k, [])
-    assessment = state.result.walls[results[0]].assessment if state.result and results else None
-    return assessment.verdict.zeta_e if assessment else None
+        return next((k for k in alike if k in require_value(state.finished)), alike[0])
+    worst = worst_of(state.result, alike) if state.result else None
+    return alike[0] if worst is None else worst
 
 
 def _wall(state: State, k: int, text: str, depth: int, broken: set[int | None]) -> Row:

@@ -13,10 +13,10 @@ from app.look.language import current_language, describe_message, number, tr
 from app.views.ladder import Ladder
 from app.views.zeta_rungs import check_words, rungs_of
 from app.work.worker import Job
+from core.answer.answer import zeta_by_check
 from core.case.floor_loads import infer_floor_supports
 from core.case.schema import Case
 from core.codes.multiplier_search import Precision
-from core.codes.outcomes import min_if_all_known
 from core.errors import InputError
 from core.known import require_value
 from core.report.uncertainty_text import reach_written
@@ -325,13 +325,7 @@ class WhatIfWindow(QDialog):
         result = self.owner.session.result
         if result is None or self.owner.session.stale:
             return {}
-        assessed = [wall.assessment for wall in result.walls if wall.part.origin == self.row and wall.assessment]
-        zetas = [(check.label, check.zeta) for one in assessed for check in one.checks]
-        return {
-            label: min_if_all_known(zeta for name, zeta in zetas if name == label)
-            for label, _ in zetas
-            if label != OWN_Q
-        }
+        return {label: zeta for label, zeta in zeta_by_check(result, self.row).items() if label != OWN_Q}
 
     def search(self) -> None:
         """The answer turned round, of each slider alone."""

@@ -15,7 +15,8 @@ from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
 from app.views.result_tab import ResultTab
-from app.views.runs import governing_run, run_name, title_of
+from app.views.runs import run_name, title_of
+from core.answer.answer import governing_run
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.known import require_value

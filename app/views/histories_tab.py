@@ -13,7 +13,8 @@ from app.look.whole_text import tell_whole
 from app.views.chart import Chart
 from app.views.moving_walls import Film, MovingWalls
 from app.views.result_tab import ResultTab
-from app.views.runs import governing_run, index_of, run_name, title_of
+from app.views.runs import index_of, run_name, title_of
+from core.answer.answer import governing_run
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import model_and_scale_at_demand
 from core.known import require_value

@@ -1,7 +1,5 @@
 """The runs of a wall in lists: their names, and the one that is shown first."""
 
-import math
-
 import numpy as np
 
 from app.look.language import number, result_word, tr, wall_title
@@ -25,16 +23,6 @@ def title_of(wall: WallResult) -> str:
 def index_of(wall: WallResult, motion: int, polarity: int) -> int | None:
     """Index of the run under this motion of this sign; None where there is none."""
     return next((k for k, run in enumerate(wall.runs) if (run.motion, run.polarity) == (motion, polarity)), None)
-
-
-def governing_run(wall: WallResult) -> int:
-    """Index of the run that turns the wall most at the demand, without a dynamic check of the one with the least q; 0
-    where none has a number."""
-    dynamic = wall.assessment.dynamic if wall.assessment else None
-    if dynamic is not None and dynamic.runs:
-        worst = max(dynamic.runs, key=lambda run: math.inf if run.peak_ratio is None else run.peak_ratio)
-        return index_of(wall, worst.motion, worst.polarity) or 0
-    return min(range(len(wall.runs)), key=lambda k: wall.runs[k].ida.q or math.inf, default=0)
 
 
 def time_before_motion(rotation: np.ndarray, time_step: float) -> float:

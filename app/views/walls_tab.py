@@ -11,6 +11,7 @@ from app.views.answer_lines import verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
 from app.views.zeta_rungs import digits
+from core.answer.answer import worst_so_far
 from core.report.columns import BY_KEY, Row
 from core.report.stated.quantity import select_quantities, serialize
 from core.report.stated.verdicts import VERDICT, VerdictSource
@@ -218,18 +219,12 @@ class WallsTab(ResultTab):
         self.order, self.shown = [], None  # a click on a title is not to bring back the result before
         self.finished = sum(whole for _, whole in zetas.values())
         self.words.setText(tr("Running, walls finished: {n}", n=self.finished))
-        rows, seen = [], set()
-        zeta = {id(wall): values_of(wall, None, None)["zeta_e"] for wall in walls}
-        ordered = sorted(walls, key=lambda wall: (zeta[id(wall)] is None, zeta[id(wall)] or 0.0))
-        for wall in ordered:
-            k = wall.part.origin
-            if k in seen:
-                continue
-            seen.add(k)
+        rows, worst = [], worst_so_far(walls)
+        for wall in worst:
             rows.append(self._row(wall, None, None))
-            if not zetas[k][1]:
+            if not zetas[wall.part.origin][1]:
                 rows[-1][ZETA : ZETA + 2] = [f"≤ {rows[-1][ZETA]}", "…"]
-        self.finished_rows = list(dict.fromkeys(one.part.origin for one in ordered))
+        self.finished_rows = [wall.part.origin for wall in worst]
         self.table.show_rows(rows, [[None] * len(row) for row in rows])
 
     def say_cancelled(self) -> None:

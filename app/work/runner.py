@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from app.look.language import tr
 from app.work.session import Session
 from app.work.worker import Job
+from core.answer.answer import zetas_so_far
 from core.capacity.accuracy import Accuracy
 from core.case.schema import Case
 from core.errors import InputError
@@ -142,16 +143,7 @@ class Runner(QObject):
 
     def zetas_so_far(self) -> dict[int, tuple[float | None, bool]]:
         """Row of a wall -> (the smallest zeta of its results that are there, whether these are all)."""
-        of_row: dict[int, list[float | None]] = {}
-        for wall in self.finished_walls:
-            of_row.setdefault(wall.part.origin, []).append(wall.assessment.verdict.zeta_e if wall.assessment else None)
-        return {
-            row: (
-                min((zeta for zeta in zetas if zeta is not None), default=None),
-                len(zetas) >= self.planned_results[row],
-            )
-            for row, zetas in of_row.items()
-        }
+        return zetas_so_far(self.finished_walls, self.planned_results)
 
     def _found(self, part: WallResult | StudyResult) -> None:
         if isinstance(part, StudyResult):

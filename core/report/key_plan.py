@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from core.codes.outcomes import severity_key
+from core.answer.answer import answers_worst_first
 from core.report.verdict_words import tone_of
 from core.study.results import StudyResult, WallResult
 
@@ -40,22 +40,15 @@ class Placed(NamedTuple):
 def key_plan(result: StudyResult) -> list[Placed]:
     """The walls that have a place in the plan, the worst first; of those at one place, as variants are, the worst."""
     placed: dict[tuple, Placed] = {}
-    decide = [(verdict.governing, verdict.zeta_least) for verdict in result.verdicts]
-    for k, zeta in decide:
-        wall = result.walls[k]
-        if (plan := wall.part.asked.plan) is None:
+    for answer in answers_worst_first(result):
+        wall, least = answer.decides, answer.least
+        if (plan := answer.wall.plan) is None:
             continue
         ends = (plan.x1_m, plan.y1_m), (plan.x2_m, plan.y2_m)
-        made = Placed(wall.part.asked.name, k, wall, ends, tone_of(result, wall), zeta)
-        there = placed.setdefault(tuple(sorted(ends)), made)
-        if _order(made) < _order(there):
-            placed[tuple(sorted(ends))] = made
-    return sorted(placed.values(), key=_order)
-
-
-def _order(one: Placed) -> tuple[int, bool, float]:
-    verdict = one.wall.required_assessment.verdict
-    return severity_key(verdict.code, verdict.zeta_e, verdict.zeta_target)
+        zeta, tone = least.zeta if least else None, tone_of(result, wall)
+        made = Placed(answer.wall.name, answer.governing.result, wall, ends, tone, zeta)
+        placed.setdefault(tuple(sorted(ends)), made)
+    return list(placed.values())
 
 
 def centre_of(placed: list[Placed]) -> tuple[float, float]:

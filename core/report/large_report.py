@@ -1,12 +1,11 @@
 """The summary of a case of more walls than a workbook holds: what was asked, counts, the worst walls, the columns."""
 
-import heapq
 import json
 from collections import Counter
 from dataclasses import replace
 
+from core.answer.answer import Worst
 from core.case.schema import Case
-from core.codes.outcomes import severity_key
 from core.report.columns import COLUMNS
 from core.report.stated.quantity import serialize
 from core.report.stated.study import OF_STUDY
@@ -25,7 +24,7 @@ class Tally:
     def __init__(self) -> None:
         self.rows = self.walls = self.analyses = self.without_q = self.errors = 0
         self.verdicts: Counter[str] = Counter()
-        self._worst: list[tuple[tuple, dict]] = []
+        self._worst = Worst(WORST)
 
     def add(self, rows: dict[str, list]) -> None:
         """Count the rows of a group. rows : by column"""
@@ -34,25 +33,14 @@ class Tally:
         self.analyses += sum(rows["analyses"])
         self.without_q += sum(rows["runs_without_q"])
         self.errors += sum("wall_error" in (codes or ()) for codes in rows["warnings"])
-        for k, decides in enumerate(rows["decides"]):
-            if decides is None or decides:
-                self._place({name: rows[name][k] for name in NAMED})
-            if decides:
-                self.verdicts[rows["verdict"][k]] += 1
-        self._worst = heapq.nsmallest(WORST, self._worst, key=lambda entry: entry[0])
-
-    def _place(self, row: dict) -> None:
-        """Place a row among the worst: by the table of outcomes; without a demand by q."""
-        if row["verdict"] is not None:
-            order = severity_key(row["verdict"], row["zeta_e"], row["zeta_target"])
-        else:
-            order = (0, row["q_set"] is None, row["q_set"] or 0.0)
-        self._worst.append(((*order, row["wall"], row["hinge_m"]), row))
+        decide = [k for k, decides in enumerate(rows["decides"]) if decides is None or decides]
+        self.verdicts.update(rows["verdict"][k] for k in decide if rows["decides"][k])
+        self._worst.add({name: rows[name][k] for name in NAMED} for k in decide)
 
     @property
     def worst(self) -> list[dict]:
         """The worst walls, the worst first, by their keys NAMED."""
-        return [row for _, row in self._worst]
+        return self._worst.rows
 
 
 def summary(case: Case, result: StudyResult, tally: Tally, file: str) -> dict:

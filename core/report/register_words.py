@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from core.answer.answer import zeta_range
 from core.case.register import NOT_POSSIBLE
 from core.known import require_value
 from core.report.verdict_words import names_in
@@ -42,10 +43,9 @@ def describe_briefly(
         cells = _cells(looked, say, language)
         of_hinges.setdefault((cells[0], cells[2], cells[4]), []).append(looked)
     for (name, direction, outcome), group in of_hinges.items():
-        zetas = [require_value(looked.result).required_assessment.verdict.zeta_e for looked in group]
         heights = ", ".join(f"+{format_number(looked.row.hinge, '.4g', language)}" for looked in group)
-        known = sorted(zeta for zeta in zetas if zeta is not None)
-        least, most = (format_number(known[k] if known else None, ".2f", language) for k in (0, -1))
+        ends = zeta_range(require_value(looked.result) for looked in group)
+        least, most = (format_number(zeta, ".2f", language) for zeta in ends)
         shown = least if least == most else f"{least}–{most}"
         rows.append([name, say("hinges at {heights} m", heights=heights), direction, shown, outcome])
     return rows

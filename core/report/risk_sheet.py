@@ -1,12 +1,11 @@
 """The sheet Risk: every wall with what it withstands, the lowest first; limit states, variants."""
 
-from core.codes.outcomes import min_if_all_known
+from core.answer.answer import smallest_zetas
 from core.known import require_value
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
 from core.report.verdict_words import outcome_of, sort_results
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
-from core.study.wall_verdict import counted_walls
 from core.text.sentence import word
 from core.units import G
 from core.variation.limit_states import LIMIT_STATES
@@ -67,21 +66,11 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
         _wall(book, sheet, wall, row)
     row += 1
     text(sheet, row, 1, say("smallest"), bold=True)
-    number(
-        sheet,
-        row,
-        3,
-        min_if_all_known(w.assessment.verdict.zeta_e for w in counted_walls(result) if w.assessment),
-        RATIO,
-    )
+    smallest = smallest_zetas(result)
+    number(sheet, row, 3, smallest[""], RATIO)
     for column, state in enumerate(LIMIT_STATES, start=9):
-        states = [
-            one
-            for wall in counted_walls(result)
-            for one in (wall.required_assessment.states if wall.assessment else ())
-        ]
-        if there := [one.zeta for one in states if one.state == state]:
-            number(sheet, row, column, min_if_all_known(there), RATIO)
+        if state in smallest:
+            number(sheet, row, column, smallest[state], RATIO)
     rule(sheet, row, 1, LAST_COLUMN)
     return row + 1
 

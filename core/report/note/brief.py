@@ -4,6 +4,7 @@ wall on two pages with what decides about it, what the engineer confirms. All el
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from core.answer.answer import Answer
 from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
 from core.codes.outcomes import FAILS, OUTCOMES
 from core.report import assumption_table
@@ -29,7 +30,7 @@ from core.report.note.words import Words
 from core.report.verdict_words import names_in, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, hinge_location, sort_by_severity
-from core.text.sentence import Sentence, word
+from core.text.sentence import Sentence, localized, word
 from core.variation.limit_states import LIMIT_STATES
 
 MAX_WALLS = 24
@@ -197,9 +198,9 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str]
         return wall_parts(result, wall, cell_prefix(result, wall), words)
     found = assessment.verdict
     outcome = f"{words.word(found.code)}, ζ {words.number(found.zeta_e, '.2f')}"
-    least = verdict.zeta_least
-    if found.zeta_e is not None and least is not None and round(least, 2) < round(found.zeta_e, 2):
-        outcome += f", {say('least')} {words.number(least, '.2f')}"
+    if least := Answer(result, verdict).lower_elsewhere:
+        whose = f"{localized('mechanism', least.mechanism, language)}, +{words.number(least.hinge, '.4g')} m"
+        outcome += f", {say('least')} {words.number(least.zeta, '.2f')} ({whose})"
     parts: list[Part] = [
         Heading(f"{verdict.title} – {outcome}", 2, True, verdict.governing),
         Paragraph(sentence_of(wall, language), tone_of(result, wall)),

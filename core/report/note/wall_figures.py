@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from core.answer.answer import ordered_runs
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.codes.capacity_curve import capacity_curve
 from core.codes.dynamic_check import model_and_scale_at_demand
@@ -249,7 +250,7 @@ def peaks(wall: WallResult, words: Words, named: bool = True) -> Figure | None:
     if check is None:
         return None
     both = len({run.polarity for run in check.runs}) > 1
-    runs = sorted(check.runs, key=lambda run: (not run.exceeded, -(run.peak_ratio or math.inf)))
+    runs = ordered_runs(check)
     short = [run.record.removeprefix(f"{GENERATED_NAME} ")[-14:] for run in runs]
     names = [
         name + ("" if not both else "+" if run.polarity > 0 else "−") for name, run in zip(short, runs, strict=True)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
+from core.answer.answer import Answer
 from core.case.set_aside import ROWS
 from core.codes.assumption import DisplayValue
 from core.report.stated.checks import REACTION
@@ -158,10 +159,19 @@ class VerdictSource:
         self.governing: WallResult = result.walls[one.governing]
         self.verdict = self.governing.required_assessment.verdict
         self.check = governing_check_of_wall(self.governing)
+        self.answer = Answer(result, one)
 
     def text(self, language: str) -> str:
         return self.verdict.text(language, self.one.title, hinge_location(self.governing))
 
+
+DECISION = (
+    text("mechanism", "of the register", "mechanism"),
+    number("hinge_m", "m", "height above the base from which it moves", "hinge"),
+    text("check", "check that decides about it", "check"),
+    text("code", "its outcome", "outcome"),
+)
+"""Quantities read from Decision."""
 
 VERDICT = (
     text("wall", "name", "one.wall.name"),
@@ -171,6 +181,7 @@ VERDICT = (
     number(
         "zeta_least", "-", "lowest zeta_E of all hinges and mechanisms, null where one is unknown", "one.zeta_least"
     ),
+    object_quantity("zeta_least_of", "whose that is, null where one is unknown", DECISION, "answer.least"),
     number("zeta_target", "-", "zeta_E required", "verdict.zeta_target"),
     number("pga_c_g", "g", "PGA_C", lambda of: of.one.risk.pga / G if of.one.risk else None),
     number("return_period_c_years", "years", "T_R,C", lambda of: of.one.risk.return_period if of.one.risk else None),

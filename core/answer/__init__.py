@@ -1,0 +1,1 @@
+"""What a run says of each wall, chosen once: every face reads it."""

@@ -1,0 +1,216 @@
+"""The answer of a run for each wall: what decides about it, its lowest zeta, its runs and rows. Window, drawing, tree,
+note, workbook, JSON and terminal read it and choose nothing."""
+
+import heapq
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from core.case.register import row_of_part
+from core.case.wall import Wall
+from core.codes.assumption import Assumption
+from core.codes.dynamic_check import DemandRun, DynamicCheck
+from core.codes.outcomes import min_if_all_known, severity_key
+from core.study.results import StudyResult, WallResult, WallVerdict
+from core.study.wall_verdict import collect_assumptions, counted_walls, sort_by_severity
+from core.variation.measures import Measure
+
+
+class Decision(NamedTuple):
+    """A zeta of a wall, and whose it is.
+
+    result : its number in the study; mechanism : name of the register; hinge : above the base of the wall [m], of a
+    wall that bends where it begins to; outcome, check : codes
+    """
+
+    result: int
+    mechanism: str
+    hinge: float
+    outcome: str
+    check: str | None
+    zeta: float | None
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a run says of a wall of its case."""
+
+    result: StudyResult
+    verdict: WallVerdict
+
+    @property
+    def wall(self) -> Wall:
+        """The wall of the case."""
+        return self.verdict.wall
+
+    @property
+    def title(self) -> str:
+        return self.verdict.title
+
+    @cached_property
+    def governing(self) -> Decision:
+        """What decides."""
+        return self._decision(self.verdict.governing)
+
+    @cached_property
+    def least(self) -> Decision | None:
+        """What has the lowest zeta; None where one is not known."""
+        decisions = [self._decision(k) for k in self.verdict.results]
+        if any(decision.zeta is None for decision in decisions):
+            return None
+        return min(decisions, key=lambda decision: decision.zeta or 0.0)
+
+    @property
+    def lower_elsewhere(self) -> Decision | None:
+        """What has a zeta that is lower than that of what decides, as both are shown; None where nothing has."""
+        least, zeta = self.least, self.governing.zeta
+        if least is None or least.zeta is None or zeta is None:
+            return None
+        return least if round(least.zeta, 2) < round(zeta, 2) else None
+
+    @property
+    def zeta_required(self) -> float:
+        return self.decides.required_assessment.verdict.zeta_target
+
+    @property
+    def decides(self) -> WallResult:
+        """The result that decides."""
+        return self.result.walls[self.verdict.governing]
+
+    @property
+    def share(self) -> float | None:
+        """Lowest zeta over the one required; None of motions that are not at the demand, whose zeta is no share."""
+        checks = {self._decision(k).check for k in self.verdict.results}
+        apart = "dynamic" in checks and not self.result.motions_at_demand
+        if self.least is None or self.least.zeta is None or apart:
+            return None
+        return self.least.zeta / self.zeta_required
+
+    @cached_property
+    def records(self) -> tuple[DemandRun, ...]:
+        """The runs at the demand of what decides, by the model that decided: what overturns and the largest first."""
+        return ordered_runs(self.decides.required_assessment.dynamic)
+
+    @cached_property
+    def rows(self) -> tuple[Assumption, ...]:
+        """The rows of assumptions of all its hinges and mechanisms, of each input the one that matters most."""
+        return collect_assumptions(self.result, self.verdict)
+
+    @property
+    def measures(self) -> tuple[Measure, ...]:
+        """What makes a wall that fails pass."""
+        return self.verdict.measures or ()
+
+    def _decision(self, k: int) -> Decision:
+        wall = self.result.walls[k]
+        verdict, row = wall.required_assessment.verdict, row_of_part(wall.part, wall.mechanism)
+        return Decision(k, row.name, wall.part.hinge, verdict.code, verdict.governing, verdict.zeta_e)
+
+
+def answers_worst_first(result: StudyResult) -> list[Answer]:
+    """The answers of a run, the worst first; none without a demand."""
+    return [Answer(result, verdict) for verdict in sort_by_severity(result.verdicts, result.walls)]
+
+
+def worst_of(result: StudyResult, rows: Iterable[int]) -> int | None:
+    """Row of the case whose wall has the worst answer, of some rows; None without a demand."""
+    rows = set(rows)
+    origins = (answer.decides.part.origin for answer in answers_worst_first(result))
+    return next((origin for origin in origins if origin in rows), None)
+
+
+def ordered_runs(dynamic: DynamicCheck | None) -> tuple[DemandRun, ...]:
+    """The runs of a check by histories at the demand: what overturns and the largest first; none without a check."""
+    runs = dynamic.runs if dynamic is not None else ()
+    return tuple(sorted(runs, key=lambda run: (run.peak_ratio is not None, not run.exceeded, -(run.peak_ratio or 0.0))))
+
+
+def governing_run(wall: WallResult) -> int:
+    """Index of the run of a result that turns it most at the demand, without a check by histories of the one with the
+    least q; 0 where none has a number."""
+    if ordered := ordered_runs(wall.assessment.dynamic if wall.assessment else None):
+        worst = ordered[0]
+        places = (k for k, run in enumerate(wall.runs) if (run.motion, run.polarity) == (worst.motion, worst.polarity))
+        return next(places, 0)
+    return min(range(len(wall.runs)), key=lambda k: wall.runs[k].ida.q or math.inf, default=0)
+
+
+def zeta_range(walls: Iterable[WallResult]) -> tuple[float | None, float | None]:
+    """Least and largest zeta of some results that are known; (None, None) of none."""
+    zetas = [wall.required_assessment.verdict.zeta_e for wall in walls]
+    known = [zeta for zeta in zetas if zeta is not None]
+    return min(known, default=None), max(known, default=None)
+
+
+def zeta_by_check(result: StudyResult, origin: int) -> dict[str, float | None]:
+    """Label of a check -> its lowest zeta of all that counts about a wall of the case, None where one is not known."""
+    zetas: dict[str, list[float | None]] = {}
+    for wall in counted_walls(result):
+        if wall.part.origin == origin and wall.assessment:
+            for check in wall.assessment.checks:
+                zetas.setdefault(check.label, []).append(check.zeta)
+    return {label: min_if_all_known(each) for label, each in zetas.items()}
+
+
+def smallest_zetas(result: StudyResult) -> dict[str, float | None]:
+    """ "" and limit state -> the lowest zeta of all walls, at the limit state of the demand and at the others; None
+    where one is not known."""
+    assessments = [wall.assessment for wall in counted_walls(result) if wall.assessment]
+    zetas: dict[str, list[float | None]] = {"": [assessment.verdict.zeta_e for assessment in assessments]}
+    for assessment in assessments:
+        for state in assessment.states:
+            zetas.setdefault(state.state, []).append(state.zeta)
+    return {state: min_if_all_known(each) for state, each in zetas.items()}
+
+
+def zetas_so_far(walls: Sequence[WallResult], planned: Mapping[int, int]) -> dict[int, tuple[float | None, bool]]:
+    """Row of a wall of a run that is under way -> (the smallest zeta of its results that are there, whether these are
+    all). planned : row -> number of its results"""
+    of_row: dict[int, list[float | None]] = {}
+    for wall in walls:
+        of_row.setdefault(wall.part.origin, []).append(wall.assessment.verdict.zeta_e if wall.assessment else None)
+    return {
+        row: (min((zeta for zeta in zetas if zeta is not None), default=None), len(zetas) >= planned[row])
+        for row, zetas in of_row.items()
+    }
+
+
+def worst_so_far(walls: Sequence[WallResult]) -> list[WallResult]:
+    """Of each wall of a run that is under way the result with the smallest zeta, the smallest first."""
+
+    def place(wall: WallResult) -> tuple[bool, float]:
+        zeta = wall.assessment.verdict.zeta_e if wall.assessment else None
+        return zeta is None, zeta or 0.0
+
+    first: dict[int, WallResult] = {}
+    for wall in sorted(walls, key=place):
+        first.setdefault(wall.part.origin, wall)
+    return list(first.values())
+
+
+class Worst:
+    """The worst of very many rows of walls: by the table of outcomes, without a demand by q."""
+
+    def __init__(self, count: int):
+        self.count = count
+        self._kept: list[tuple[tuple, dict[str, Any]]] = []
+
+    def add(self, rows: Iterable[dict[str, Any]]) -> None:
+        """Place rows among the worst, by their columns of the table of a large case."""
+        placed = [(self._place(row), row) for row in rows]
+        self._kept = heapq.nsmallest(self.count, self._kept + placed, key=lambda entry: entry[0])
+
+    @property
+    def rows(self) -> list[dict[str, Any]]:
+        """The worst rows, the worst first."""
+        return [row for _, row in self._kept]
+
+    @staticmethod
+    def _place(row: dict[str, Any]) -> tuple:
+        if row["verdict"] is not None:
+            order: tuple = severity_key(row["verdict"], row["zeta_e"], row["zeta_target"])
+        else:
+            order = (0, row["q_set"] is None, row["q_set"] or 0.0)
+        return *order, row["wall"], row["hinge_m"]
