@@ -22,7 +22,7 @@ from app.input.wall_text import differences
 from app.look import theme
 from app.look.labels import escape_html
 from app.look.language import number, result_word, tr, variant_word
-from core.answer.answer import worst_of
+from core.answer.answer import worst_row
 from core.case.problems import wall_of
 from core.case.schema import Case
 from core.errors import InputError
@@ -139,7 +139,7 @@ def _worst(state: State, alike: list[int]) -> int:
     """The row that a group shows: of variants the one with the worst answer, while they run that which is there."""
     if state.finished is not None:
         return next((k for k in alike if k in require_value(state.finished)), alike[0])
-    worst = worst_of(state.result, alike) if state.result else None
+    worst = worst_row(state.result, alike) if state.result else None
     return alike[0] if worst is None else worst
 
 

@@ -114,7 +114,7 @@ def answers_worst_first(result: StudyResult) -> list[Answer]:
     return [Answer(result, verdict) for verdict in sort_by_severity(result.verdicts, result.walls)]
 
 
-def worst_of(result: StudyResult, rows: Iterable[int]) -> int | None:
+def worst_row(result: StudyResult, rows: Iterable[int]) -> int | None:
     """Row of the case whose wall has the worst answer, of some rows; None without a demand."""
     rows = set(rows)
     origins = (answer.decides.part.origin for answer in answers_worst_first(result))
