@@ -27,6 +27,7 @@ from core.report.note.parts import Blanks, Heading, Item, Paragraph, Part, Table
 from core.report.note.record_parts import record_parts
 from core.report.note.wall_steps import Derivations
 from core.report.note.words import Words
+from core.report.register_words import not_possible
 from core.report.verdict_words import names_in, sentence_of, tone_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, hinge_location, sort_by_severity
@@ -57,12 +58,15 @@ def note(result: StudyResult, language: str) -> list[Part]:
     if result.case.report.extent == "full" or not result.verdicts:
         return full_note(result, language)
     words, ordered = Words(language), sort_by_severity(result.verdicts, result.walls)
-    shared = _shared_limits(result, ordered, words)
+    shared, impossible = _shared_limits(result, ordered, words), _shared_impossible(result, ordered, words)
     parts, plan = _first_page(result, ordered, shared, words), plan_figure.plan(result, words, ranked=False)
     demand = [*demand_parts(result, words, plan), *record_parts(result, words, brief=True)]
+    if impossible:
+        rows = [(", ".join(names), line) for line, names in impossible.items()]
+        demand += [Heading(words.say("Mechanisms that are not possible"), 3), Table((), rows, (1.3, 4))]
     parts += demand if plan else []  # a page of its own before the walls
     for verdict in ordered[:MAX_WALLS]:
-        parts += _wall_pages(result, verdict, shared, words)
+        parts += _wall_pages(result, verdict, [*shared, *impossible], words)
     if len(ordered) > MAX_WALLS:
         parts.append(
             Paragraph(words.say("{n} more walls: on the first page alone.", n=len(ordered) - MAX_WALLS), "quiet")
@@ -176,6 +180,15 @@ def _shared_limits(result: StudyResult, ordered: Sequence[WallVerdict], words: W
     return [line for line in each[0] if all(line in others for others in each[1:])]
 
 
+def _shared_impossible(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> dict[str, list[str]]:
+    """Why mechanisms are not possible, where the line is of several walls -> these walls."""
+    names: dict[str, list[str]] = {}
+    for verdict in ordered[:MAX_WALLS]:
+        if line := not_possible(result, verdict, words.language):
+            names.setdefault(line, []).append(verdict.title)
+    return {line: walls for line, walls in names.items() if len(walls) > 1}
+
+
 def _limits(result: StudyResult, wall: WallResult, words: Words) -> list[str]:
     """What keeps an outcome from being more, what it is to be read with, and the line of what no clause asks about."""
     assessment = wall.required_assessment
@@ -191,7 +204,7 @@ def _limits(result: StudyResult, wall: WallResult, words: Words) -> list[str]:
 
 
 def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str], words: Words) -> list[Part]:
-    """A wall by the hinge and mechanism that decide about it. shared : limits that stand on the first page"""
+    """A wall by the hinge and mechanism that decide about it. shared : lines of several walls, which stand once"""
     wall, say = _governing(result, verdict), words.say
     assessment, language = wall.required_assessment, words.language
     if assessment.kinematic is None:
@@ -207,7 +220,7 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str]
     ]
     own = [line for line in _limits(result, wall, words) if line not in shared]
     parts += [Item(line, "quiet") for line in (*own, *certainty_line(result, wall, words))]
-    parts += [check_bars(result, wall, words), *register_parts(result, wall, words, brief=True)]
+    parts += [check_bars(result, wall, words), *register_parts(result, wall, words, brief=True, shared=shared)]
     parts += _turning_rows(result, verdict, words)
     parts += [*site.solids(wall, words, grouped=True), *site.loads(wall, words)]
     drawn = [wall_figures.drawing(wall, words), wall_figures.elevation(wall, words)]

@@ -1,6 +1,6 @@
 """The calculation note of a result, part after part."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import groupby
 
 from core.case.document import document_of
@@ -276,8 +276,11 @@ def wall_parts(result: StudyResult, wall: WallResult, name: str, words: Words) -
     return [*parts, *(Item(line, "quiet") for line in rest)]
 
 
-def register_parts(result: StudyResult, wall: WallResult, words: Words, brief: bool = False) -> list[Part]:
-    """The register of a wall, where this result decides about it. brief : the hinges that do not decide in one row"""
+def register_parts(
+    result: StudyResult, wall: WallResult, words: Words, brief: bool = False, shared: Collection[str] = ()
+) -> list[Part]:
+    """The register of a wall, where this result decides about it. brief : the hinges that do not decide in one row;
+    shared : lines that stand elsewhere"""
     verdict = verdict_of(result, wall)
     if verdict is None:
         return []
@@ -286,7 +289,7 @@ def register_parts(result: StudyResult, wall: WallResult, words: Words, brief: b
     table = Table(register_words.column_heads(words.say), rows, register_words.COLUMN_SHARES)
     taken = register_words.reactions_line(result, verdict, words.say, words.language)
     last = [taken, register_words.not_possible(result, verdict, words.language)]
-    return [table, *(Paragraph(line, "quiet") for line in last if line)]
+    return [table, *(Paragraph(line, "quiet") for line in last if line and line not in shared)]
 
 
 def check_bars(result: StudyResult, wall: WallResult, words: Words) -> Bars:
