@@ -49,7 +49,7 @@ ONLY_IN_FULL = ("supports", "top_force", "ties_at_sld", "stiff_building", "no_pe
 OF_CLAUSES = ("code_below_records", "ties_displacement")
 """Limits of the checks of the clauses, where histories decide."""
 
-OF_WHAT_PASSES = ("weaker_fails", "code_below_records", "hinge_highest")
+OF_WHAT_PASSES = ("weaker_fails", "code_below_records", "hinge_highest", "unasked_range")
 """Limits that say nothing more of a wall that fails."""
 
 

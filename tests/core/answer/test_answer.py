@@ -15,7 +15,7 @@ from core.answer.answer import (
     zeta_by_check,
     zetas_so_far,
 )
-from core.codes.outcomes import severity_key
+from core.codes.outcomes import FAILS, OUTCOMES, PASSES, severity_key
 from core.study.run import run
 from core.variation import measures
 from tests.clauses_alone import parse_case
@@ -123,3 +123,38 @@ def test_that_no_face_chooses_among_zetas_and_outcomes():
                 if called in CHOOSING and inside & ANSWERS:
                     choosing.append(f"{name}:{node.lineno}")
     assert choosing == []
+
+
+def fails_and_passes(result) -> int:
+    """Compare outcome, zeta and what follows from it of each result and wall; how many were compared."""
+    compared = 0
+    for answer in answers_worst_first(result):
+        for k in answer.verdict.results:
+            wall = result.walls[k]
+            verdict, risk = wall.assessment.verdict, wall.assessment.risk
+            judgement, zeta = OUTCOMES[verdict.code].judgement, verdict.zeta_e
+            if zeta is None:
+                continue
+            compared += 1
+            assert judgement != FAILS or zeta <= verdict.zeta_target * (1.0 + 1e-9), wall.name
+            assert judgement != PASSES or zeta >= verdict.zeta_target * (1.0 - 1e-9), wall.name
+            if risk is not None and result.demand.limit_state == "SLV":
+                assert risk.pga == pytest.approx(zeta * result.demand.pga, rel=1e-9)
+        fails = OUTCOMES[answer.governing.outcome].judgement == FAILS
+        if fails and answer.least is not None:
+            assert answer.least.zeta <= answer.zeta_required * (1.0 + 1e-9)
+            assert answer.share is None or answer.share <= 1.0 + 1e-9
+    return compared
+
+
+@pytest.mark.shows("answer.one")
+def test_that_no_wall_that_fails_shows_a_zeta_above_what_is_required(results):
+    assert sum(map(fails_and_passes, results)) > 12
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(46_000, 46_060, 10))
+def test_that_walls_under_records_show_no_zeta_that_contradicts_their_outcome(seed, monkeypatch):
+    monkeypatch.setattr(measures, "MOST", 0)
+    cases = (parse_case(table) for table in random_tables(10, histories=True, first=seed))
+    assert sum(fails_and_passes(run(case, base_dir=ROOT)) for case in cases) > 10
