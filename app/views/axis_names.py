@@ -29,11 +29,11 @@ def _show_below(chart) -> None:
     step = _step_upright(chart, room) if upright else max(1, math.ceil(len(shown) / max(1.0, across)))
     axis.stand_upright(_widest(chart, shown) if upright else 0)
     places = range(0, len(shown), step)
-    chart.ticks("bottom", [(2 * k + 0.5 if chart.of_pairs else k, shown[k]) for k in places])
+    chart.ticks("bottom", [(k, shown[k]) for k in places])
 
 
 def _below(chart) -> list[str]:
-    return [elide_name(name, TICK_LETTERS) for name in chart.of_pairs or chart.names]
+    return [elide_name(name, TICK_LETTERS) for name in chart.names]
 
 
 def _widest(chart, names: list[str]) -> int:

@@ -64,7 +64,6 @@ class Chart(ChartOutput):
         self.entries: list[str] = []
         self.extents: list[tuple] = []
         self.names: list[str] = []
-        self.of_pairs: list[str] | None = None
         self.lines: list[tuple[float, str]] = []
         self.is_figure = False
         self.edges = EdgeMarks(self)
@@ -210,10 +209,9 @@ class Chart(ChartOutput):
             widest = max((self.fontMetrics().horizontalAdvance(name) for _, name in places), default=0)
             axis.setWidth(widest + 34)
 
-    def names_below(self, names: list[str], of_pairs: list[str] | None = None) -> None:
-        """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds. of_pairs : of each two
-        places, shown between them in the place of both"""
-        self.names, self.of_pairs = names, of_pairs
+    def names_below(self, names: list[str]) -> None:
+        """Names below the places 0, 1, 2 … of the axis, as many of them as its width holds."""
+        self.names = names
         show_names(self)
 
     def names_beside(self, lines: Sequence[tuple[float, str]]) -> None:

@@ -36,6 +36,7 @@ from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
 from app.views.zeta_rungs import digits, rung_of
+from core.answer.answer import ordered_runs
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
 from core.codes.eq9 import LABEL
@@ -43,7 +44,7 @@ from core.known import require_value
 from core.report.register_words import describe_lines
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
-from core.report.verdict_words import lines_of, sentence_of
+from core.report.verdict_words import lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import localized, word
@@ -51,6 +52,9 @@ from core.units import G
 
 MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR = 1.2, 1.15
 """Largest peak over theta_c that bars show, and room above the largest bar and the limit that decides [of them]."""
+
+BIG = 3.2
+"""Size of zeta beside that of the other words."""
 
 MAX_LIMITS_SHOWN = 3
 """Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
@@ -142,6 +146,7 @@ class CheckTab(ResultTab):
     def _make_banner(self) -> None:
         """The verdict, what is to be done, what limits it and notes, in a frame."""
         self.heading, self.sentence = PlainLabel(), PlainLabel(tr("No result yet: press F5."))
+        self.zeta = PlainLabel()
         self.important, self.reasons = RichLabel(), PlainLabel()
         for label in (self.heading, self.sentence, self.important, self.reasons):
             label.setWordWrap(True)
@@ -160,8 +165,11 @@ class CheckTab(ResultTab):
         self.notes = self._opener(self.reasons.setVisible)
         self.banner = QFrame()
         self.banner.setObjectName("verdict")
-        inside = QVBoxLayout(self.banner)
-        inside.setContentsMargins(14, 6, 10, 6)
+        across, inside = QHBoxLayout(self.banner), QVBoxLayout()
+        across.setContentsMargins(14, 6, 10, 6)
+        across.setSpacing(16)
+        across.addWidget(self.zeta, 0, Qt.AlignmentFlag.AlignTop)
+        across.addLayout(inside, 1)
         inside.setSpacing(2)
         said = (self.important, self.assumed, self.all_limits, self.others)
         for widget in (self.heading, self.sentence, *said, self.notes, self.reasons):
@@ -193,7 +201,7 @@ class CheckTab(ResultTab):
         tint.setAlpha(26)
         edges = f"border: 1px solid {shade}; border-left: 8px solid {shade};"
         self.banner.setStyleSheet(f"QFrame#verdict {{ {edges} background: {tint.name(QColor.NameFormat.HexArgb)}; }}")
-        for widget in (self.ladder, self.more, self.important):
+        for widget in (self.ladder, self.more, self.important, self.zeta):
             widget.setVisible(assessment is not None)
         if assessment is None:
             self.all_limits.hide()
@@ -207,9 +215,10 @@ class CheckTab(ResultTab):
             self._show_peaks(tr("No demand: nothing to compare the peaks with."), "demand")
             return
         verdict = assessment.verdict
-        self.heading.setText(
-            f"{wall_title(wall.name)}: {word(verdict.code, self.language)}, ζ {digits(verdict.zeta_e)}"
-        )
+        self.zeta.setText(f"ζ {digits(verdict.zeta_e)}")
+        self.zeta.setStyleSheet(f"{theme.font_points(BIG)} font-weight: 700; color: {shade};")
+        outcome = theme.add_tone_mark(tone_of(result, wall), word(verdict.code, self.language))
+        self.heading.setText(f"{wall_title(wall.name)}: {outcome}")
         self.heading.setStyleSheet(f"{theme.font_points(1.75)} font-weight: 700; color: {shade};")
         self.sentence.setText(wall_title(sentence_of(wall, self.language)))
         lines = verdict_limitations(result, wall, self.language, self._warnings(result, wall))
@@ -387,11 +396,12 @@ class CheckTab(ResultTab):
         return f"<table><tr>{cells}</tr></table>"
 
     def _bars(self, check) -> None:
-        values = np.array([np.nan if run.peak_ratio is None else run.peak_ratio for run in check.runs])
+        runs = ordered_runs(check)
+        values = np.array([np.nan if run.peak_ratio is None else run.peak_ratio for run in runs])
         limit = LIMIT_FRACTION.get(check.limit_state, 1.0)
         top = min(MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR * max(limit, *np.nan_to_num(values, nan=MAX_PEAK_SHOWN)))
         drawn = np.minimum(np.nan_to_num(values, nan=top), top)  # to the edge: no number of its own
-        places, exceeds = (np.arange(values.size, dtype=float), np.array([run.exceeded for run in check.runs]))
+        places, exceeds = (np.arange(values.size, dtype=float), np.array([run.exceeded for run in runs]))
         for chosen, name, color in ((~exceeds, tr("within θc"), 0), (exceeds, tr("exceeds θc or overturns"), 1)):
             self.peaks.bars(name, places[chosen], drawn[chosen], color, values=values[chosen])
         ends = np.array([-0.6, values.size - 0.4])
@@ -402,12 +412,13 @@ class CheckTab(ResultTab):
         for fraction, label in ((0.40, "SLV"), (0.60, "SLC"), (1.00, "θc")):
             wanted = limit == fraction
             self.peaks.level(
-                fraction, f"{number(fraction, '.2f')} {label}", "bad" if wanted or fraction == 1.0 else "quiet"
+                fraction,
+                f"{number(fraction, '.2f')} {label}",
+                "bad" if wanted or fraction == 1.0 else "quiet",
+                place=0.95,  # the largest bars are on the left
             )
-        self.runs = [(run.motion, run.polarity) for run in check.runs]
-        signs = {run.polarity for run in check.runs}
-        names = [run.record + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −") for run in check.runs]
-        motions = [run.motion for run in check.runs]
-        paired = len(signs) == 2 and motions[::2] == motions[1::2]
-        self.peaks.names_below(names, [run.record + " ±" for run in check.runs[::2]] if paired else None)
+        self.runs = [(run.motion, run.polarity) for run in runs]
+        signs = {run.polarity for run in runs}
+        names = [run.record + ("" if len(signs) == 1 else " +" if run.polarity > 0 else " −") for run in runs]
+        self.peaks.names_below(names)
         self.peaks.set_range((-0.6, len(names) - 0.4), (0.0, top))

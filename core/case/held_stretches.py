@@ -106,11 +106,13 @@ def _place(stretches: list[HeldStretch]) -> tuple[float, float]:
 def _bent_inward(wall: Wall, stretches: list[HeldStretch]) -> Iterator[HeldStretch]:
     """A wall as it bends inward over anchors and ties that pull and stop nothing: between what is behind it."""
     stops = [0.0, *(stretch.high for stretch in stretches if _is_stopped(wall, stretch.high))]
-    shown = {stretch.high: stretch.wall.hold[-1].evidence for stretch in stretches}
+    tops = {stretch.high: stretch.wall.hold[-1] for stretch in stretches}
     for low, high in pairwise(stops):
         if not any(stretch.low == low and stretch.high == high for stretch in stretches):
             span = mirror_inward(cut_span(wall, low, high, foot_stays=True))
-            held = (replace(hold, evidence=shown[high]) if hold.h_m else hold for hold in span.hold)
+            top = tops[high]  # it presses on what it leans on
+            stands = math.inf if top.in_kn_m is None else top.in_kn_m
+            held = (replace(hold, out_kn_m=stands, evidence=top.evidence) if hold.h_m else hold for hold in span.hold)
             yield HeldStretch(low, high, replace(span, hold=tuple(held)), inward=True)
 
 
@@ -133,7 +135,9 @@ def _is_at(hold: Hold, heights: tuple[float, ...]) -> bool:
 
 def _weakened(hold: Hold) -> Hold | None:
     """A hold that has given way outward: it stops the wall inward alone; None of one that only pulled."""
-    return Hold("contact", hold.name, to_m=hold.h_m, evidence=hold.evidence) if hold.is_contact else None
+    return (
+        replace(hold, out_kn_m=None, in_kn_m=None, elongation_m=None, stiffness_kn_m2=None) if hold.is_contact else None
+    )
 
 
 def _pushed_beside(top: Hold) -> float:
@@ -155,8 +159,8 @@ def find_held_stretches(wall: Wall) -> list[HeldStretch]:
     what both ask for is then within what it stands; a thrust at a hold, or above the highest, is taken first. Empty
     where a thrust acts between two holds, nothing is behind the wall up to the highest, no stretch is slender enough to
     bend, the stub above may fall, or the wall is not one sheet."""
-    taut = {tie.h_m for tie in wall.ties if not tie.slack_mm}
-    held = len(taut) > 1 or any(stands_outward(hold) for hold in wall.hold)
+    taut = sorted(require_value(tie.h_m) for tie in wall.ties if not tie.slack_mm)
+    held = (bool(taut) and taut[-1] - taut[0] > SAME_HEIGHT) or any(stands_outward(hold) for hold in wall.hold)
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     if not held or not sized or not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
         return []
@@ -186,7 +190,7 @@ def refuse_uncounted_holds(wall: Wall, here) -> None:
 def _stretches_between(wall: Wall, levels: list[Hold]) -> list[HeldStretch]:
     """The stretches of a wall between its base and these holds; empty as `find_held_stretches` says."""
     pairs = list(pairwise([0.0, *(require_value(level.h_m) for level in levels)]))
-    if not pairs or not _is_stopped(wall, pairs[-1][1]) or not _stands_above(wall, pairs[-1][1]):
+    if not _stands_above(wall, pairs[-1][1]):
         return []
     if not all(bears_stretch(wall, low, high) for low, high in pairs):
         return []
@@ -212,7 +216,8 @@ def _share_levels(
         if n > 0:
             under = halves[n - 1] + beside[n - 1]
             foot = (_share(levels[n - 1], 0.0, halves[n] / (under + halves[n])),)
-            top = top if foot[0].evidence else replace(top, evidence=None)
+            if not foot[0].shows_strength:  # that one is named
+                top = replace(top, kind=foot[0].kind, name=foot[0].name, evidence=foot[0].evidence)
         held.append(HeldStretch(low, high, replace(stretch, hold=(*foot, top))))
     return held
 
@@ -250,17 +255,20 @@ def rocks_above(wall: Wall, top: float) -> bool:
 
 
 def _push_of_stub(wall: Wall, top: float) -> float:
-    """alpha at which what is above a height of a wall turns about its edge there, with what it carries [-]; inf of a
-    wall of unknown weight."""
+    """Least alpha at which what is above a height of a wall turns about one of its edges there, with what it carries
+    [-]; inf of a wall of unknown weight."""
     if wall.unit_weight_kn_m3 is None or wall.thickness is None:
         return math.inf
     weight, x, over = weight_above(wall, top)
-    face = (contact_at(wall.parts, top) or (0.0, 0.0))[0] if wall.parts else 0.0
-    held, pushed = weight * (x - face - wall.setback), weight * over
+    outer, inner = (contact_at(wall.parts, top) if wall.parts else None) or (0.0, wall.thickness)
+    outward, inward = weight * (x - outer - wall.setback), weight * (inner - wall.setback - x)
+    pushed = weight * over
     for load in (load for load in wall.load if load.h_m > top + SAME_HEIGHT):
         size, lever = require_value(load.kn_m), load.h_m - top
-        held += size * (require_value(load.d_m) - face - wall.setback) if load.is_weight else -size * lever
+        outward += size * (require_value(load.d_m) - outer - wall.setback) if load.is_weight else -size * lever
+        inward += size * (inner - wall.setback - require_value(load.d_m)) if load.is_weight else size * lever
         pushed += size * lever if load.is_weight and load.pushes else 0.0
+    held = min(outward, inward)
     return held / pushed if pushed > 0.0 else math.copysign(math.inf, held)
 
 
@@ -287,17 +295,15 @@ def _share(level: Hold, height: float, share: float, beside: float = 0.0) -> Sha
 
 
 def _outward_holds(wall: Wall) -> Iterator[Hold]:
-    """What holds a wall outward, its ties among it but those with slack, which hold nothing before they are taut; what
-    is not shown to stand without its document."""
+    """What holds a wall outward, its ties among it but those with slack, which hold nothing before they are taut."""
     for hold in wall.hold:
         if stands_outward(hold):
-            yield hold if hold.shows_strength else replace(hold, evidence=None)
+            yield hold
     for hold in wall.ties:
         if not hold.slack_mm:
             tie = hold.tie(wall.length_m)
             stands = 1e-3 * tie.bar.strength * (1.0 if tie.stands_more else BRITTLE)
-            shown = hold.evidence if hold.shows_strength else None
-            yield Hold(TIE, hold.name, h_m=hold.h_m, out_kn_m=stands, evidence=shown)
+            yield Hold(TIE, hold.name, h_m=hold.h_m, out_kn_m=stands, evidence=hold.evidence)
 
 
 def _bent_above(stretch: Wall, wall: Wall, high: float) -> list[Wall]:
@@ -323,7 +329,7 @@ def _levels(wall: Wall) -> list[Hold]:
     for hold in sorted(_outward_holds(wall), key=lambda hold: require_value(hold.h_m)):
         if levels and require_value(hold.h_m) - require_value(levels[-1].h_m) <= SAME_HEIGHT:
             both = require_value(levels[-1].out_kn_m) + require_value(hold.out_kn_m)
-            shown = levels[-1].evidence and hold.evidence
+            shown = next((one.evidence for one in (levels[-1], hold) if not one.shows_strength), hold.evidence)
             stiff = [one.stiffness_kn_m2 for one in (levels[-1], hold) if one.stiffness_kn_m2 is not None]
             stretches = [one.elongation_m for one in (levels[-1], hold)]
             least = None if None in stretches else min(filter(None, stretches))  # brittle if one of both is
@@ -335,15 +341,15 @@ def _levels(wall: Wall) -> list[Hold]:
 
 
 def _spaced_sets(wall: Wall, levels: list[Hold]) -> Iterator[list[Hold]]:
-    """The sets of holds between which, and above the base, a wall is slender enough to bend, each as large as it can
-    be: what is between two that are nearer stays whole, and one of them counts alone."""
+    """The sets of holds between which, and above the base, a wall is slender enough to bend, the highest with something
+    behind it, each as large as it can be: what is between two that are nearer stays whole, and one counts alone."""
     least = MIN_SLENDERNESS * require_value(wall.thickness)
     heights = [height for level in levels if (height := require_value(level.h_m)) >= least]
     spaced: list[set[float]] = []
     for count in range(min(len(heights), MOST_HOLDS), 0, -1):
         for kept in itertools.combinations(heights[-MOST_HOLDS:], count):
             far = all(upper - lower >= least for lower, upper in pairwise(kept))
-            if far and not any(larger.issuperset(kept) for larger in spaced):
+            if far and _is_stopped(wall, kept[-1]) and not any(larger.issuperset(kept) for larger in spaced):
                 spaced.append(set(kept))
                 yield [level for level in levels if require_value(level.h_m) in kept]
 

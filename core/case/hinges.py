@@ -255,16 +255,20 @@ def best_way(
         found = sorted({*held, *shared})
         if not counted or worst(found) > worst(counted):
             counted = found
-        if way and not loses_hold(min(held, key=lambda k: worst([k]))):
+        first = min(held, key=lambda k: worst([k])) if way else 0
+        if way and (parts[first].inward or not loses_hold(first)):  # what fails inward stops nothing in any way
             break
     return counted
 
 
 def _counts_anyway(part: WallPart, top: float) -> bool:
     """Whether a part moves whatever holds the wall below a height: what is above, a leaf. Between transverse walls it
-    would bend across the floors that hold it."""
+    would bend across the floors that hold it, if nothing above these leans on the transverse walls."""
     free = part.turns and (part.hinge >= top - SAME_HINGE or not part.wall.leans)
-    return bool(part.aspect) or free
+    arch, height = part.wall.arch if part.wall.kinematics.arches else None, part.body.height_m or 0.0
+    reach = min(arch.to_m or height, height) if arch is not None else 0.0
+    leans_above = reach > top + SAME_HINGE and rocks_above(part.body, top)
+    return bool(part.aspect) or free or leans_above
 
 
 def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
@@ -274,15 +278,15 @@ def _bent_inward(part: WallPart, low: float, high: float) -> WallPart:
 
 
 def highest_hold(wall: Wall, building: Building | None) -> float | None:
-    """Height above the base of a wall that leans up to which something holds it [m]: its highest hold, or a tie above
-    that. What stands above is free, and rocks to both sides (C8.7.1.2.1.3: porzioni svettanti). None of a wall that
+    """Height above the base of a wall that leans up to which something stops it inward [m]: its highest hold. What
+    stands above is free, and rocks to both sides (C8.7.1.2.1.3: porzioni svettanti). None of a wall that
     does not reach higher by so much that it rocks, that begins there, or of which nobody says how far it is held."""
     if not wall.leans or wall.height_m is None or wall.corner is not None:
         return None
     tops = _tops_of_holds(wall, building)
     if None in tops or not tops:
         return None
-    held = max([*(top for top in tops if top is not None), *_heights(wall.ties)])
+    held = max(top for top in tops if top is not None)  # a tie above that stops nothing inward
     if held <= 0.0:
         return None
     return held if rocks_above(wall, held) else None

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from core.case.above_hinge import cut_above_hinge, solid_of
 from core.case.document import Document
@@ -79,18 +80,20 @@ def find_inward_spans(
     wall: Wall, hinges: Sequence[float], outward: Sequence[tuple[float, float]]
 ) -> list[tuple[float, float]]:
     """Stretches (from, to) above the base [m] in which a wall that leans bends inward, pressed against the floors
-    behind it, unless it turns outward well before; none of a wall with something behind
-    it all along.
+    behind it, unless it turns outward well before; none of a stretch with
+    something behind it all along.
 
     hinges : about which it turns; outward : stretches that are looked at as they bend both ways
     """
-    floors = sorted({require_value(hold.h_m) for hold in wall.restraints if hold.has_height})
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
-    if not sized or len(floors) < len(wall.restraints) or not wall.leans or not is_one_sheet(wall):
+    if not sized or not wall.leans or not is_one_sheet(wall):
         return []
-    least = MIN_SLENDERNESS * require_value(wall.thickness)
-    pairs = zip([0.0, *floors], floors, strict=False)
-    between = [(low, high) for low, high in pairs if high - low >= least and bears_stretch(wall, low, high)]
+    height, least = require_value(wall.height_m), MIN_SLENDERNESS * require_value(wall.thickness)
+    floors = {require_value(hold.h_m) for hold in wall.restraints if hold.has_height and hold.is_contact}
+    along = [(hold.from_m or 0.0, hold.to_m or height) for hold in wall.restraints if not hold.has_height]
+    stops = sorted({0.0, *floors, *(min(end, height) for ends in along for end in ends)})
+    free = [pair for pair in pairwise(stops) if not any(low <= pair[0] and pair[1] <= high for low, high in along)]
+    between = [(low, high) for low, high in free if high - low >= least and bears_stretch(wall, low, high)]
     return [pair for pair in between if pair not in outward and not _turns_well_before(wall, hinges, *pair)]
 
 

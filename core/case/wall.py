@@ -172,7 +172,7 @@ class Wall(Shaped):
             kind=self.masonry,
             law=self.moment_law(),
             branch=self.law if isinstance(self.law, str) and self.law in WITH_BRANCH else "",
-            bound=any(not hold.is_bar and hold.evidence is not None for hold in self.hold),
+            bound=any(self._is_bound_by(hold) for hold in self.hold),
             friction=SLIDING if self.base_friction is None else self.base_friction,
             felt=self.demand_height_m,
             parts=self.parts,
@@ -218,6 +218,13 @@ class Wall(Shaped):
         behind = [hold for hold in self.hold if hold.is_contact]
         along = [hold for hold in behind if not hold.only_there] or behind
         return next((hold for hold in along if hold.evidence is None), next(iter(along), None))
+
+    def _is_bound_by(self, hold: Hold) -> bool:
+        """Whether a hold is shown to tie a wall, over all its height, to what is beside or behind it."""
+        ties = hold.is_local or (hold.has_height and hold.is_contact)
+        top = hold.h_m if hold.has_height else hold.to_m
+        reaches = top is None or self.height_m is None or self.height_m - top <= (self.thickness or 0.0)
+        return ties and hold.evidence is not None and reaches and not hold.from_m
 
     def _holds_top(self, hold: Hold) -> bool:
         height, top = require_value(self.height_m), hold.h_m if hold.has_height else None

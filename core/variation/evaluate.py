@@ -95,6 +95,8 @@ class Evaluation:
             return False
         first = self.holds[0]
         start = self.scene.moving_to(first.limit.side)[1].alpha0
+        if first.limit.presses:  # what fails inward no longer stops the wall there, which each other way needs
+            return False
         return first.limit.hold in (TOP, FOOT) and first.share * first.alpha <= start * (1.0 + 1e-9)
 
     def made(self, name: str) -> Check | None:

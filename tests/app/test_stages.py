@@ -37,7 +37,7 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
     zeta = opened.session.result.walls[0].assessment.verdict.zeta_e
     assert opened.navigator.page == "check" and chips(opened)["w"] == f"{zeta:.2f}"
     content = opened.pages["check"].content
-    assert content.ladder.rungs[0].zeta == zeta and f"{zeta:.2f}" in content.heading.text()
+    assert content.ladder.rungs[0].zeta == zeta and f"{zeta:.2f}" in content.zeta.text()
     # what makes the verdict indicative is never folded; the rest of what limits it is behind its number
     verdict = opened.session.result.walls[0].assessment.verdict
     assert len(content.important.text().splitlines()) == len(verdict.to_do) + max(3, verdict.blocking)

@@ -65,9 +65,9 @@ def test_that_what_stands_above_the_highest_hold_is_free_at_any_height_over_thic
 
 
 @pytest.mark.shows("free.above")
-def test_that_a_tie_above_the_building_holds_to_its_height_and_a_wall_that_begins_there_is_as_it_is_given():
+def test_that_a_tie_above_the_building_stops_nothing_and_a_wall_that_begins_there_is_as_it_is_given():
     tied = parse_case({"building": BUILDING, "wall": [carries(TIE | {"h_m": 7.9}, **FACADE)]}).wall[0]
-    assert highest_hold(tied, parse_case({"building": BUILDING, "wall": [FACADE]}).building) == 7.9
+    assert highest_hold(tied, parse_case({"building": BUILDING, "wall": [FACADE]}).building) == 7.5
     gable = FACADE | {"base_z_m": 7.5, "height_m": 2.0}
     assert set(parts_of_wall(**gable)) == {0.0} and parts_of_wall(**gable)[0.0].mechanism == "one_sided"
     assert highest_hold(tied, None) is None
