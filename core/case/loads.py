@@ -54,6 +54,11 @@ class Load(OfLoadKind):
 
 
 @dataclass(frozen=True)
+class OwnWeight(Load):
+    """The wall above a stretch of it, which stands on that: no load of the case, and nobody asks where its mass is."""
+
+
+@dataclass(frozen=True)
 class ReturnWalls:
     """[wall.return_walls]: the walls across behind a facade, whose courses it drags out (friction).
 

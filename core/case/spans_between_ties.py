@@ -9,7 +9,7 @@ from core.case.above_hinge import cut_above_hinge, solid_of
 from core.case.document import Document
 from core.case.held_top import mirror_inward
 from core.case.hold import TIE, ShareOfHold
-from core.case.loads import Load
+from core.case.loads import Load, OwnWeight
 from core.case.shape import cut_between
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, bending
@@ -189,7 +189,7 @@ def cut_span(wall: Wall, low: float, high: float, foot_stays: bool = False) -> W
         if load.is_weight and load.h_m > low
     ]
     if weight > 0.0:
-        on_top = Load(kind="vertical", kn_m=weight, d_m=depth, h_m=high, mass="none")
+        on_top = OwnWeight(kind="vertical", kn_m=weight, d_m=depth, h_m=high, mass="none")
         loads.append(replace(on_top, d_m=inside(on_top) if wall.has_shape else depth, h_m=high - low))
     return replace(
         wall,

@@ -9,7 +9,7 @@ from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.held_top import mirror_inward
 from core.case.hold import Hold
 from core.case.load_rules import check_loads
-from core.case.loads import Load
+from core.case.loads import Load, OwnWeight
 from core.case.wall import Wall
 from core.codes.assumption import LEFT_OUT
 from core.codes.kinematic_chain import sum_chain
@@ -76,7 +76,7 @@ def favourable_weights(scene: CheckInput) -> Iterator[FavourableInput]:
     """What the mass of vertical loads does otherwise; the wall without what is carried low, is
     variable, or moves with it."""
     wall, t = scene.wall, scene.wall.thickness
-    weights = [load for load in wall.load if load.rests]
+    weights = [load for load in wall.load if load.rests and not isinstance(load, OwnWeight)]
     if t is None or not any(load.is_weight for load in wall.load):
         return
     yield from _of_weights_that_may_go(scene)
@@ -127,7 +127,8 @@ def _is_carried(load: Load) -> bool:
 
 
 def _of_weights(wall: Wall, **values) -> tuple[Load, ...]:
-    return tuple(replace(load, **values) if load.rests else load for load in wall.load)
+    given = (load.rests and not isinstance(load, OwnWeight) for load in wall.load)
+    return tuple(replace(load, **values) if own else load for load, own in zip(wall.load, given, strict=True))
 
 
 UNSTABLE = ("unstable_under_loads", "bending_unstable", "arch_unstable", "body_falls")

@@ -11,7 +11,7 @@ from core.case.held_stretches import find_held_stretches, find_held_ways
 from core.case.held_top import mirror_inward
 from core.case.hinges import count_wall_parts, make_wall_parts
 from core.case.hold import Hold
-from core.case.loads import Load
+from core.case.loads import Load, OwnWeight
 from core.codes.outcomes import way_key
 from core.codes.vertical_bending import bending, lowest_hinge
 from core.errors import InputError
@@ -23,6 +23,7 @@ from core.setting.held_shares import share_out
 from core.setting.plan import make_plan, read_inputs
 from core.study.run import run
 from core.study.wall_verdict import counted_walls
+from core.variation.favourable_loads import favourable_weights
 from core.variation.wall_evaluation import evaluate_wall, make_wall_context
 from core.wall.bending import strip_of
 from tests.clauses_alone import parse_case
@@ -358,3 +359,23 @@ def test_that_a_wall_held_by_floors_does_not_bend_between_cross_walls_too():
     result, verdict, _ = verdict_of([*floors, ends | shown], compressive_strength_mpa=2.4)
     assert any(wall.wall.kinematics.arches for wall in result.walls)
     assert not any(result.walls[k].wall.kinematics.arches for k in verdict.results)
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_nobody_asks_where_the_mass_of_a_wall_s_own_upper_part_is():
+    """It stands on the stretch below, and its inertia goes to the hold between; a load of a floor is asked about."""
+    held = anchored(30.0, 30.0, 15.0)
+    for load, asked in ((FACADE["load"], True), ((), False)):
+        keys = {"load": load, "unloaded_confirmed": not load}
+        case = parse_case(
+            {
+                "wall": [FACADE | {"hold": held} | keys],
+                "demand": {"ag_g": 0.15, "spectrum": SPECTRUM},
+                "building": BUILDING,
+            }
+        )
+        plan = make_plan(case, read_inputs(case, ROOT))
+        scenes = [plan.scene(k, plan.demand) for k, entry in enumerate(plan.entries) if entry.part.held]
+        rows = {row.key for scene in scenes for row in favourable_weights(scene)}
+        assert any(isinstance(load, OwnWeight) for scene in scenes for load in scene.wall.load)
+        assert ("mass" in rows) == asked
