@@ -106,3 +106,35 @@ def test_that_no_better_hold_worsens_a_wall(seed):
 def test_that_no_better_hold_worsens_hundreds_of_walls(seed):
     compared, worse = compare(seed, 200)
     assert compared > 400 and worse == []
+
+
+FLOOR, PHOTO = {"kind": "floor", "h_m": 6.0} | SHOWN, {"evidence": {"kind": "photograph"}}
+LOADED = {"kind": "vertical", "kn_m": 20.0, "d_m": 0.2, "h_m": 6.0, "mass": "none"}
+INWARD = {"name": "w", "length_m": 8.0, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "height_m": 6.0}
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_what_fails_inward_is_a_stop_in_no_way():
+    """It presses alpha W/2 on its floor at rest, 3 kN/m at 0.139; an anchor between does nothing inward."""
+    anchor = {"kind": "anchor", "h_m": 3.0, "out_kn_m": 20.0} | SHOWN
+    wall = INWARD | {"thickness_m": 0.4, "load": [LOADED]}
+    weak = FLOOR | {"out_kn_m": 20.0, "in_kn_m": 3.0}
+    alone, between, strong = (
+        evaluated(wall | {"hold": hold}, 0.15)
+        for hold in ([weak], [anchor, weak], [anchor, FLOOR | {"out_kn_m": 20.0}])
+    )
+    assert alone.zeta == pytest.approx(between.zeta, rel=1e-6) and alone.zeta < 0.8 < 1.0 < strong.zeta
+    first = min(alone.hinges, key=lambda hinge: hinge.zeta).holds[0]
+    assert first.share * first.alpha == pytest.approx(3.0 / (0.5 * 18.0 * 0.4 * 6.0), rel=0.02)
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_a_contact_over_a_part_of_the_height_is_a_stop_at_its_ends():
+    """A wall pushed inward that leans on its roof: whatever is behind 10 cm of it, it bends inward."""
+    push = {"kind": "thrust", "kn_m": -0.9, "h_m": 4.2}
+    floor = {"kind": "floor", "h_m": 6.0} | PHOTO
+    wall = INWARD | {"thickness_m": 0.3, "load": [push]}
+    part = {"kind": "contact", "to_m": 0.1} | PHOTO
+    found = [evaluated(wall | {"hold": hold}, 0.12) for hold in ([floor], [floor, part])]
+    bent = [[hinge.zeta for hinge in each.hinges if hinge.scene.wall.bends] for each in found]
+    assert [len(zetas) for zetas in bent] == [1, 1] and max(bent)[0] < 1.1 * min(bent)[0]
