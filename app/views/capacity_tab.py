@@ -16,7 +16,7 @@ from app.views.chart import Chart
 from app.views.hatch import Hatch, hatched_square
 from app.views.result_tab import ResultTab
 from app.views.runs import run_name, title_of
-from core.answer.answer import governing_run
+from core.answer.answer import run_shown_first
 from core.capacity.fragility import fragility_curve
 from core.capacity.ida import grid_point, multiplier_of, threshold_of
 from core.known import require_value
@@ -68,7 +68,7 @@ class CapacityTab(ResultTab):
         self.record.clear()
         for run in wall.runs:
             self.record.addItem(run_name(run))
-        self.record.setCurrentIndex(governing_run(wall))
+        self.record.setCurrentIndex(run_shown_first(wall))
         if len(wall.runs) > 1:
             self.record.addItem(tr("all records, with their mean"))
         self.other.clear()

@@ -14,7 +14,7 @@ from app.views.chart import Chart
 from app.views.moving_walls import Film, MovingWalls
 from app.views.result_tab import ResultTab
 from app.views.runs import index_of, run_name, title_of
-from core.answer.answer import governing_run
+from core.answer.answer import run_shown_first
 from core.capacity.ida import multiplier_of, threshold_of
 from core.codes.dynamic_check import model_and_scale_at_demand
 from core.known import require_value
@@ -150,7 +150,7 @@ class HistoriesTab(ResultTab):
         for run in wall.runs:
             for box in (self.record, self.other):
                 box.addItem(run_name(run))
-        self.record.setCurrentIndex(governing_run(wall) if wall.runs else -1)
+        self.record.setCurrentIndex(run_shown_first(wall) if wall.runs else -1)
         self._begin()
 
     def show_run(self, run: tuple[int, int]) -> None:

@@ -2,7 +2,6 @@
 note, workbook, JSON and terminal read it and choose nothing."""
 
 import heapq
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,12 +9,11 @@ from typing import Any, NamedTuple
 
 from core.case.register import row_of_part
 from core.case.wall import Wall
-from core.codes.assumption import Assumption
 from core.codes.dynamic_check import DemandRun, DynamicCheck
 from core.codes.outcomes import min_if_all_known, severity_key
+from core.study.governing import governing_run
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.wall_verdict import collect_assumptions, counted_walls, sort_by_severity
-from core.variation.measures import Measure
+from core.study.wall_verdict import counted_walls, sort_by_severity
 
 
 class Decision(NamedTuple):
@@ -44,10 +42,6 @@ class Answer:
     def wall(self) -> Wall:
         """The wall of the case."""
         return self.verdict.wall
-
-    @property
-    def title(self) -> str:
-        return self.verdict.title
 
     @cached_property
     def governing(self) -> Decision:
@@ -93,16 +87,6 @@ class Answer:
         """The runs at the demand of what decides, by the model that decided: what overturns and the largest first."""
         return ordered_runs(self.decides.required_assessment.dynamic)
 
-    @cached_property
-    def rows(self) -> tuple[Assumption, ...]:
-        """The rows of assumptions of all its hinges and mechanisms, of each input the one that matters most."""
-        return collect_assumptions(self.result, self.verdict)
-
-    @property
-    def measures(self) -> tuple[Measure, ...]:
-        """What makes a wall that fails pass."""
-        return self.verdict.measures or ()
-
     def _decision(self, k: int) -> Decision:
         wall = self.result.walls[k]
         verdict, row = wall.required_assessment.verdict, row_of_part(wall.part, wall.mechanism)
@@ -127,14 +111,15 @@ def ordered_runs(dynamic: DynamicCheck | None) -> tuple[DemandRun, ...]:
     return tuple(sorted(runs, key=lambda run: (run.peak_ratio is not None, not run.exceeded, -(run.peak_ratio or 0.0))))
 
 
-def governing_run(wall: WallResult) -> int:
+def run_shown_first(wall: WallResult) -> int:
     """Index of the run of a result that turns it most at the demand, without a check by histories of the one with the
-    least q; 0 where none has a number."""
-    if ordered := ordered_runs(wall.assessment.dynamic if wall.assessment else None):
-        worst = ordered[0]
-        places = (k for k, run in enumerate(wall.runs) if (run.motion, run.polarity) == (worst.motion, worst.polarity))
-        return next(places, 0)
-    return min(range(len(wall.runs)), key=lambda k: wall.runs[k].ida.q or math.inf, default=0)
+    lowest q; 0 where none has a number."""
+    ordered = ordered_runs(wall.assessment.dynamic if wall.assessment else None)
+    first = ordered[0] if ordered else governing_run(wall)
+    if first is None:
+        return 0
+    places = (k for k, run in enumerate(wall.runs) if (run.motion, run.polarity) == (first.motion, first.polarity))
+    return next(places, 0)
 
 
 def zeta_range(walls: Iterable[WallResult]) -> tuple[float | None, float | None]:
@@ -178,7 +163,7 @@ def zetas_so_far(walls: Sequence[WallResult], planned: Mapping[int, int]) -> dic
 
 
 def worst_so_far(walls: Sequence[WallResult]) -> list[WallResult]:
-    """Of each wall of a run that is under way the result with the smallest zeta, the smallest first."""
+    """Choose of each wall of a run that is under way the result with the smallest zeta, the smallest first."""
 
     def place(wall: WallResult) -> tuple[bool, float]:
         zeta = wall.assessment.verdict.zeta_e if wall.assessment else None

@@ -208,6 +208,11 @@ class Wall(Shaped):
         return tuple(hold for hold in self.hold if not hold.is_bar)
 
     @property
+    def is_shared_stretch(self) -> bool:
+        """Whether it is a stretch of a wall between holds that have a strength for it."""
+        return any(isinstance(hold, ShareOfHold) and hold.out_kn_m not in (None, math.inf) for hold in self.hold)
+
+    @property
     def held_by(self) -> Hold | None:
         """What stands behind it, holds its top or its ends: contact along the wall before what is only in places, and
         of several the first that nothing shows."""

@@ -216,6 +216,7 @@ def _of_the_restraint(evaluation: Evaluation, free: Evaluation | None) -> Assump
     if free is None:
         unfollowed = evaluation.dynamic is None and (wall.bends or wall.in_si.rocks_both_ways)
         code = "restraint_unfollowed" if unfollowed else "restraint_stands"
+        code = "restraint_of_stretch" if wall.is_shared_stretch else code
     zeta = free.zeta if free else None
     alike = not wall.bends and wall.in_si.rocks_both_ways and wall.in_si.sides_are_alike
     stays = free is None and evaluation.outcome == "not_activated" and alike
@@ -253,9 +254,10 @@ def _without_restraint(evaluation: Evaluation, cancelled: Callable[[], bool]) ->
 
 def _overturning(scene: CheckInput, cancelled: Callable[[], bool]) -> Evaluation | None:
     """A wall held at its top, were it not: it overturns about its base. None of another wall, where its loads
-    would overturn it without an earthquake, and where a spectrum ends before its period."""
+    would overturn it without an earthquake, and where a spectrum ends before its period; none of a stretch between
+    holds, without which it is the whole wall that moves."""
     wall = scene.wall
-    if not wall.bends or not carries(wall):
+    if not wall.bends or not carries(wall) or wall.is_shared_stretch:
         return None
     try:
         alone = replace(wall, mechanism="one_sided", hold=tuple(hold.alone for hold in wall.restraints))

@@ -8,8 +8,8 @@ import pytest
 from core.answer.answer import (
     Answer,
     answers_worst_first,
-    governing_run,
     ordered_runs,
+    run_shown_first,
     smallest_zetas,
     worst_so_far,
     zeta_by_check,
@@ -82,7 +82,7 @@ def test_that_runs_stand_in_the_order_of_their_peaks_what_overturns_first(of_sev
         assert len(runs) == len(wall.assessment.dynamic.runs) and runs[0].exceeded == any(r.exceeded for r in runs)
         assert [run.peak_ratio for run in runs].count(None) == sum(peak == float("inf") for peak in peaks)
         assert peaks == sorted(peaks, reverse=True) or any(run.exceeded for run in runs)
-        first = wall.runs[governing_run(wall)]
+        first = wall.runs[run_shown_first(wall)]
         assert (first.motion, first.polarity) == (runs[0].motion, runs[0].polarity)
     (answer,) = (one for one in answers_worst_first(of_seven) if one.decides is of_seven.walls[0])
     assert isinstance(answer, Answer) and answer.records == ordered_runs(of_seven.walls[0].assessment.dynamic)

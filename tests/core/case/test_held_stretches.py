@@ -380,3 +380,17 @@ def test_that_nobody_asks_where_the_mass_of_a_wall_s_own_upper_part_is():
         rows = {row.key for scene in scenes for row in favourable_weights(scene)}
         assert any(isinstance(load, OwnWeight) for scene in scenes for load in scene.wall.load)
         assert ("mass" in rows) == asked
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_no_stretch_is_told_as_a_wall_that_overturns_alone_where_its_hold_fails():
+    """Without it the whole wall moves: its zeta stands in the register; a photograph of a strength blocks."""
+    for kind, passes in (("calculation", True), ("photograph", False)):
+        hold = anchored(60.0, 60.0, 30.0, shown={"kind": kind, "reference": "A1"})
+        result, verdict, outcome = verdict_of(hold, ag=0.05)
+        held = [result.walls[k].assessment for k in verdict.results if result.walls[k].part.held]
+        assert held and all(each.verdict.lower_bound is None for each in held)
+        rows = [row for each in held for row in each.verdict.assumptions if row.key == "hold"]
+        assert rows and {row.words.code for row in rows} == {"restraint_of_stretch"}
+        assert {row.open for row in rows} == {not passes}
+        assert (outcome.code != "indicative") == passes

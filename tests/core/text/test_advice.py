@@ -54,6 +54,7 @@ STATES = {
     "lift_inward",
     "floor_on_itself",
     "restraint_stands",
+    "restraint_of_stretch",
     "restraint_unfollowed",
     "lift_participation",
     "lift_modes",

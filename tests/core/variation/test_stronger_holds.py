@@ -5,6 +5,7 @@ import random
 
 import pytest
 
+from core.case.held_stretches import find_held_ways
 from core.case.rules import parse_case
 from core.codes.outcomes import way_key
 from core.errors import InputError
@@ -138,3 +139,56 @@ def test_that_a_contact_over_a_part_of_the_height_is_a_stop_at_its_ends():
     found = [evaluated(wall | {"hold": hold}, 0.12) for hold in ([floor], [floor, part])]
     bent = [[hinge.zeta for hinge in each.hinges if hinge.scene.wall.bends] for each in found]
     assert [len(zetas) for zetas in bent] == [1, 1] and max(bent)[0] < 1.1 * min(bent)[0]
+
+
+@pytest.mark.shows("free.above")
+def test_that_a_stub_that_would_turn_inward_is_no_stub_that_stands():
+    """0.24 m of wall with 30 kN/m 3 cm from its inner edge: alpha 0.17 inward, 1.55 outward."""
+    load = {"kind": "vertical", "kn_m": 30.0, "d_m": 0.37, "h_m": 6.0, "mass": "horizontal"}
+    wall = INWARD | {"thickness_m": 0.4, "hold": [FLOOR | {"h_m": 5.76, "out_kn_m": 90.0}]}
+    with pytest.raises(InputError) as refused:
+        evaluated(wall | {"load": [load]}, 0.15)
+    assert refused.value.code == "hold_stub_falls"
+    assert evaluated(wall | {"unloaded_confirmed": True}, 0.15).zeta > 0.0
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_floors_hide_no_arch_that_the_wall_above_them_leans_on():
+    """Cross walls whose masonry beyond gives no thrust, up to the top; the floor holds the lower half."""
+    ends = {"kind": "cross_walls", "spacing_m": 6.0, "to_m": 6.0, "shoulder_length_m": 0.3} | PHOTO
+    ends |= {"shoulder_thickness_m": 0.3}
+    wall = INWARD | {"thickness_m": 0.45, "compressive_strength_mpa": 3.0, "unloaded_confirmed": True}
+    low, high = (FLOOR | {"h_m": height, "out_kn_m": 20.0} for height in (3.0, 6.0))
+    arches = [
+        any(hinge.scene.wall.kinematics.arches for hinge in evaluated(wall | {"hold": [*floors, ends]}, 0.12).hinges)
+        for floors in ([low], [low, high])
+    ]
+    assert arches == [True, False]
+
+
+@pytest.mark.shows("kinematic.sld_free")
+def test_that_ten_centimetres_of_contact_bind_no_wall_with_two_sides():
+    wall = INWARD | {"mechanism": "two_sided", "thickness_m": 0.3, "unloaded_confirmed": True}
+    bound = {"kind": "cross_walls"} | PHOTO
+    for hold, free in (
+        ([], True),
+        ([{"kind": "contact"} | PHOTO], True),
+        ([bound | {"to_m": 0.1}], True),
+        ([bound | {"from_m": 3.0}], True),
+        ([{"kind": "floor", "h_m": 3.0} | PHOTO], True),
+        ([{"kind": "cross_walls"}], True),
+        ([bound], False),
+        ([{"kind": "floor", "h_m": 6.0} | PHOTO], False),
+    ):
+        (made,) = parse_case({"wall": [wall | ({"hold": hold} if hold else {})]}).wall
+        assert made.in_si.is_free("two_sided") == free, hold
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_two_ties_a_centimetre_apart_are_one_height():
+    tie = {"kind": "tie", "out_kn_m": 6.0, "bar_length_m": 8.0, "elongation_m": 0.1} | SHOWN
+    wall = INWARD | {"mechanism": "one_sided", "thickness_m": 0.4, "unloaded_confirmed": True}
+    for height, held in ((5.8, False), (2.9, True)):
+        hold = [{"kind": "contact", "to_m": 6.0} | PHOTO, tie | {"h_m": 5.79}, tie | {"h_m": height}]
+        (made,) = parse_case({"wall": [wall | {"hold": hold}]}).wall
+        assert bool(find_held_ways(made)) == held
