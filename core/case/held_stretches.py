@@ -112,7 +112,8 @@ def _bent_inward(wall: Wall, stretches: list[HeldStretch]) -> Iterator[HeldStret
             span = mirror_inward(cut_span(wall, low, high, foot_stays=True))
             top = tops[high]  # it presses on what it leans on
             stands = math.inf if top.in_kn_m is None else top.in_kn_m
-            held = (replace(hold, out_kn_m=stands, evidence=top.evidence) if hold.h_m else hold for hold in span.hold)
+            over = replace(span.hold[-1], kind=top.kind, name=top.name, out_kn_m=stands, evidence=top.evidence)
+            held = (over if hold.h_m else hold for hold in span.hold)
             yield HeldStretch(low, high, replace(span, hold=tuple(held)), inward=True)
 
 

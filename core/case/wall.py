@@ -209,8 +209,9 @@ class Wall(Shaped):
 
     @property
     def is_shared_stretch(self) -> bool:
-        """Whether it is a stretch of a wall between holds that have a strength for it."""
-        return any(isinstance(hold, ShareOfHold) and hold.out_kn_m not in (None, math.inf) for hold in self.hold)
+        """Whether it is a stretch of a wall between holds that have a strength for it, or bends inward over them."""
+        shares = (hold for hold in self.hold if isinstance(hold, ShareOfHold))
+        return any(not hold.is_bar or hold.out_kn_m not in (None, math.inf) for hold in shares)
 
     @property
     def held_by(self) -> Hold | None:

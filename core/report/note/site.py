@@ -116,8 +116,9 @@ def loads(wall: WallResult, words: Words) -> list[Part]:
         ]
         for load in asked.load
     ]
-    holds = [hold for hold in asked.hold if hold.is_tie or hold.out_kn_m is not None]
-    rows += [_row_of_hold(_as_given(hold, wall), hold.h_m, asked, words) for hold in holds]
+    holds = [(_as_given(hold, wall), hold.h_m) for hold in asked.hold if hold.is_tie or hold.out_kn_m is not None]
+    # the joint at a foot that is taken to hold is none of the case
+    rows += [_row_of_hold(hold, height, asked, words) for hold, height in holds if height or hold.out_kn_m != math.inf]
     heads = [words.say("Loads and holds"), "[kN/m]", "h [m]", "d [m]", words.say("mass, or shown")]
     return [Table(heads, rows, (2, 1, 1, 1, 2))] if rows else []
 
