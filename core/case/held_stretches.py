@@ -18,7 +18,7 @@ from core.errors import InputError
 from core.known import require_value
 from core.units import G
 from core.wall.bending import strip_of
-from core.wall.masonry import PartAbove
+from core.wall.masonry import PartAbove, StubAbove
 from core.wall.solids import contact_at
 
 SAME_HEIGHT = 0.05
@@ -30,8 +30,8 @@ BRITTLE = 0.5
 
 
 STUB_PUSH = 1.4
-"""alpha that what is above the highest hold stands where it is not looked at: a plain block that stands more is too
-stocky to rock, its restitution (Eq. 4) is negative beyond 1.41."""
+"""alpha up to which what is above the highest hold is looked at: a plain block that stands more is too stocky to rock,
+its restitution (Eq. 4) is negative beyond 1.41."""
 
 
 BENDS_WELL_BEFORE = 1.25
@@ -212,7 +212,8 @@ def _share_levels(
     for n, ((low, high), stretch) in enumerate(zip(pairs, stretches, strict=True)):
         from_below, from_above = halves[n] + beside[n], sum(halves[n + 1 : n + 2])
         top = _share(levels[n], high - low, from_below / (from_below + from_above), beside[n])
-        top = replace(top, rocking=above if n == len(pairs) - 1 else None)
+        if n == len(pairs) - 1:
+            top = replace(top, rocking=above, stub=None if above else _stub_above(wall, high))
         foot: tuple[ShareOfHold, ...] = ()
         if n > 0:
             under = halves[n - 1] + beside[n - 1]
@@ -240,8 +241,8 @@ def _less_thrusts(wall: Wall, levels: list[Hold], pairs: list[tuple[float, float
 
 def _stands_above(wall: Wall, top: float) -> bool:
     """Whether what is above the highest hold turns about it as a part that is looked at, or is a stub that stands
-    STUB_PUSH."""
-    return rocks_above(wall, top) or _push_of_stub(wall, top) >= STUB_PUSH
+    without an earthquake."""
+    return rocks_above(wall, top) or _push_of_stub(wall, top) > 0.0
 
 
 def rocks_above(wall: Wall, top: float) -> bool:
@@ -379,6 +380,17 @@ def _rocks_above(wall: Wall, low: float, high: float) -> PartAbove | None:
     multiplier = max(side.sine * math.tan(sides.slenderness) + side.cosine for sides, side in own.sides)
     growth = weight * (1.0 - block.p2 * rise**2 / (G * block.radius))
     return PartAbove(weight, 1.0 + rise / (high - low), max(0.0, multiplier), growth)
+
+
+def _stub_above(wall: Wall, top: float) -> StubAbove | None:
+    """What may fall off the highest hold of a wall, at a height [m], before STUB_PUSH; None of a stub that stands that,
+    or of unknown weight."""
+    multiplier = _push_of_stub(wall, top)
+    if multiplier >= STUB_PUSH:
+        return None
+    carried = (load for load in wall.load if load.is_weight and load.pushes and load.h_m > top + SAME_HEIGHT)
+    weight = weight_above(wall, top)[0] + sum(require_value(load.kn_m) for load in carried)
+    return StubAbove(1e3 * weight, multiplier)
 
 
 def _lever(height: float, low: float, high: float) -> float:

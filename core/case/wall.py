@@ -252,6 +252,7 @@ class Wall(Shaped):
             None if hold.in_kn_m is None else 1e3 * hold.in_kn_m,
             hold.elongation_m,
             hold.rocking if isinstance(hold, ShareOfHold) else None,
+            hold.stub if isinstance(hold, ShareOfHold) else None,
             None if hold.stiffness_kn_m2 is None else 1e3 * hold.stiffness_kn_m2,
         )
 

@@ -23,8 +23,9 @@ from core.mechanism.rest import (
 from core.mechanism.sections import Sections
 from core.wall.masonry import Masonry
 
-TOP, BASE, FOOT, ENDS = "top", "base", "foot", "ends"
-"""What holds a wall: at its top, the joint at its base, a floor at its foot, its ends."""
+TOP, BASE, FOOT, ENDS, STUB = "top", "base", "foot", "ends", "stub"
+"""What holds a wall: at its top, the joint at its base, a floor at its foot, its ends; what is left above its highest
+hold, which stands by its weight."""
 
 INWARD = "inward"
 """Side to which a wall presses what holds it."""
@@ -36,7 +37,7 @@ UNLIMITED = 1e9
 class HoldLimit(NamedTuple):
     """A hold that a push may overcome.
 
-    hold : TOP, BASE, FOOT or ENDS; stands : [N/m], of ENDS across each of them, per metre of height
+    hold : TOP, BASE, FOOT, ENDS or STUB; stands : [N/m], of ENDS across each of them, per metre of height
     push : alpha up to which it holds [-]; side : the motion that asks most of it, "outward" or "inward"
     presses : the wall presses it inward, and does not pull
     """
@@ -105,6 +106,8 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
     if side == INWARD and (pressed := declared.inward) is not None:
         push = push_at(lambda alpha: force_on_top(sections, moving, alpha), pressed)
         yield HoldLimit(TOP, pressed, push, side, presses=True)
+    if side != INWARD and (stub := declared.stub) is not None:
+        yield HoldLimit(STUB, stub.weight * stub.multiplier, stub.multiplier / stub.factor, side)
     if (foot := declared.foot_strength) is not None and math.isinf(foot):
         return
     if foot is not None:

@@ -63,6 +63,7 @@ REACTION_WORDS = {
     "base": "takes_base",
     "foot": "takes_foot",
     "ends": "takes_ends",
+    "stub": "takes_stub",
     "tie": "takes_tie",
     "behind": "takes_behind",
 }

@@ -21,6 +21,7 @@ from core.mechanism.holds import (
     BASE,
     ENDS,
     FOOT,
+    STUB,
     HoldLimit,
     force_on_top,
     limit_of_ends,
@@ -165,6 +166,8 @@ class CheckInput:
         wall, moving = self._moving[limit.side]
         if limit.hold == ENDS:
             return 0.5 * (alpha + moving.strip.pressed) * moving.strip.weight
+        if limit.hold == STUB and (stub := wall.declared.stub) is not None:
+            return alpha * stub.factor * stub.weight
         sections = Sections(wall)
         if limit.hold == FOOT:
             return reaction_of_foot(sections, moving, alpha)

@@ -34,7 +34,8 @@ def scale_beside(stretch: Wall, factor: float) -> Wall:
         if not isinstance(hold, ShareOfHold):
             return hold
         rocking = None if hold.rocking is None else replace(hold.rocking, factor=factor)
-        return replace(hold, beside_kn_m=factor * hold.beside_kn_m, rocking=rocking)
+        stub = None if hold.stub is None else replace(hold.stub, factor=factor)
+        return replace(hold, beside_kn_m=factor * hold.beside_kn_m, rocking=rocking, stub=stub)
 
     return replace(stretch, hold=tuple(map(scaled, stretch.hold)))
 

@@ -19,7 +19,7 @@ from core.codes.verdict_sentence import restraint_phrase
 from core.errors import InputError
 from core.ground.record_folder import is_doubtful
 from core.known import require_value
-from core.mechanism.holds import BASE, ENDS, FOOT, TOP
+from core.mechanism.holds import BASE, ENDS, FOOT, STUB, TOP
 from core.setting.check_input import CheckInput
 from core.setting.floors import LOW_CODE, building_notes
 from core.text.sentence import Key, Number, Sentence, sentence
@@ -323,7 +323,7 @@ def _branch_remark(evaluation: Evaluation) -> list[Sentence]:
     return [sentence("reason", "elastic_branch", **said)]
 
 
-HOLD_REMARKS = {TOP: "hold_top", BASE: "hold_base", FOOT: "hold_foot", ENDS: "hold_ends"}
+HOLD_REMARKS = {TOP: "hold_top", BASE: "hold_base", FOOT: "hold_foot", ENDS: "hold_ends", STUB: "hold_stub"}
 """Hold -> code of its sentence."""
 
 

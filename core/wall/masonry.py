@@ -105,13 +105,27 @@ class PartAbove:
 
 
 @dataclass(frozen=True)
+class StubAbove:
+    """What is above the highest hold of a wall and too low to rock: it falls as soon as it turns.
+
+    weight : that the earthquake pushes [N/m]; multiplier : push at which it turns about an edge [-]
+    factor : push at the hold over the push on the stretch below
+    """
+
+    weight: float
+    multiplier: float
+    factor: float = 1.0
+
+
+@dataclass(frozen=True)
 class Declared:
     """What the engineer says of a wall, which no number shows.
 
     restraint : what stands behind it or holds its top, a key of words, None : nothing; evidence, note : what shows it
     unloaded : that nothing rests on it
     strength : of what holds its top [N/m]; beside : weight whose inertia that takes beside the wall's own [N/m]
-    above : what rocks above what holds its top; None of a wall that ends there
+    above : what rocks above what holds its top; stub : what may fall there, too low to rock; None of a wall that ends
+        there
     inward : strength of what holds its top against a motion inward [N/m]; None where it is not compared
     foot_strength : of what holds its base across [N/m]; None of one that rests on the friction of its bed joint
     elongation : with which what holds its top yields at its strength before it is gone [m]; None of a brittle one
@@ -128,6 +142,7 @@ class Declared:
     inward: float | None = None
     elongation: float | None = None
     above: PartAbove | None = None
+    stub: StubAbove | None = None
     stiffness: float | None = None
 
 

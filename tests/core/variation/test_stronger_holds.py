@@ -142,14 +142,37 @@ def test_that_a_contact_over_a_part_of_the_height_is_a_stop_at_its_ends():
 
 
 @pytest.mark.shows("free.above")
-def test_that_a_stub_that_would_turn_inward_is_no_stub_that_stands():
-    """0.24 m of wall with 30 kN/m 3 cm from its inner edge: alpha 0.17 inward, 1.55 outward."""
+def test_that_a_stub_too_low_to_rock_falls_where_it_turns():
+    """0.24 m of wall with 30 kN/m 3 cm from its inner edge: it turns inward at (1.728 x 0.2 + 30 x 0.03) kN over
+    (1.728 x 0.12 + 30 x 0.24) kN, outward at 1.55; without the load nothing of it is said."""
     load = {"kind": "vertical", "kn_m": 30.0, "d_m": 0.37, "h_m": 6.0, "mass": "horizontal"}
     wall = INWARD | {"thickness_m": 0.4, "hold": [FLOOR | {"h_m": 5.76, "out_kn_m": 90.0}]}
-    with pytest.raises(InputError) as refused:
-        evaluated(wall | {"load": [load]}, 0.15)
-    assert refused.value.code == "hold_stub_falls"
-    assert evaluated(wall | {"unloaded_confirmed": True}, 0.15).zeta > 0.0
+    for ag in (0.05, 0.15):
+        (hinge,) = evaluated(wall | {"load": [load]}, ag).hinges
+        first = hinge.holds[0]
+        assert first.limit.hold == "stub"
+        assert first.stands == pytest.approx(31_728.0 * 1.2456 / 7.40736, rel=1e-4)
+        assert hinge.zeta == first.share == pytest.approx(first.stands / first.asked)
+    plain = evaluated(wall | {"unloaded_confirmed": True}, 0.15).hinges
+    assert all(state.limit.hold != "stub" for hinge in plain for state in hinge.holds)
+
+
+@pytest.mark.shows("held.anchored")
+def test_that_ties_below_a_low_stub_count():
+    """A thrust on a stub of 0.4 m that no longer stands STUB_PUSH made all ties count as none: 10 to 100 kN/m gave one
+    zeta."""
+    loads = [{"kind": "vertical", "h_m": h, "mass": "none", "kn_m": 12.0, "d_m": 0.4} for h in (3.0, 6.0)]
+    loads.append({"kind": "vertical", "h_m": 8.8, "mass": "horizontal", "kn_m": 8.0, "d_m": 0.4})
+    loads.append({"kind": "thrust", "h_m": 8.8, "kn_m": 0.6})
+    wall = {"name": "w", "length_m": 10.0, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0, "height_m": 9.0}
+    wall |= {"thickness_m": 0.6, "load": loads}
+    behind = {"kind": "contact", "from_m": 0.0, "to_m": 9.0} | PHOTO
+    bar = {"kind": "tie", "bar_length_m": 9.0, "elongation_m": 0.4} | SHOWN
+    zetas = [
+        evaluated(wall | {"hold": [behind, *(bar | {"h_m": h, "out_kn_m": force} for h in (3.0, 6.0, 8.6))]}, 0.26).zeta
+        for force in (10.0, 20.0, 45.0, 100.0)
+    ]
+    assert zetas == sorted(zetas) and zetas[1] < zetas[2] < zetas[3]
 
 
 @pytest.mark.shows("held.anchored")
