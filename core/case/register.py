@@ -80,9 +80,20 @@ def find_left_out(part: WallPart, building: Building | None) -> tuple[Sentence, 
     return tuple(row.why for row in rows if row.status == NOT_LOOKED_AT and isinstance(row.why, Sentence))
 
 
+def find_mechanisms_left_out(parts: Iterable[WallPart], building: Building | None) -> tuple[str, ...]:
+    """Names of the mechanisms of a wall that nobody looks at. parts : of the wall"""
+    rows = (row for part in _wholes(parts) for row in _rows_left(part.body, building, part.aspect))
+    return tuple(dict.fromkeys(row.name for row in rows if row.status == NOT_LOOKED_AT))
+
+
+def _wholes(parts: Iterable[WallPart]) -> list[WallPart]:
+    """The parts that are the whole of a wall, of its leaf, or of a direction of it."""
+    return [part for part in parts if part.hinge == 0.0 and part.top is None]
+
+
 def other_rows(parts: Iterable[WallPart], looked: set[str], building: Building | None) -> list[RegisterRow]:
     """Rows of a wall beside those of what is looked at. parts : of the wall; looked : names that have a row"""
-    whole = [part for part in parts if part.hinge == 0.0 and part.top is None]
+    whole = _wholes(parts)
     rows = list(dict.fromkeys(row for part in whole for row in _rows_left(part.body, building, part.aspect)))
     names, wall = looked | {row.name for row in rows}, whole[0].body
     return rows + [

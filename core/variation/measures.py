@@ -12,8 +12,10 @@ from typing import NamedTuple
 
 from core.boundary import narrowed, written_up
 from core.case.document import Document
-from core.case.hinges import storey_ends
+from core.case.hinges import make_wall_parts, storey_ends
 from core.case.hold import TIE, Hold
+from core.case.register import find_mechanisms_left_out
+from core.case.schema import Case
 from core.case.wall import Wall
 from core.codes.dynamic_check import check_around_demand
 from core.codes.multiplier_search import Precision
@@ -112,7 +114,7 @@ class MeasureKind(NamedTuple):
 class Measure:
     """A measure that makes a wall pass. size : force [kN/m], thickness or height [m], share of a thrust [-]; zeta : of
     the wall with it; heights : at which it acts [m]; spacing : of its bars along the wall [m]; to_show : keys of what
-    documents must show then, by the checks of the clauses"""
+    documents must show then, by the checks of the clauses; to_look_at : names of mechanisms that are not looked at"""
 
     code: str
     size: float
@@ -120,6 +122,7 @@ class Measure:
     heights: tuple[float, ...] = ()
     spacing: float = SPACING
     to_show: tuple[str, ...] = ()
+    to_look_at: tuple[str, ...] = ()
 
     @property
     def bar(self) -> tuple[int | None, int | None]:
@@ -140,9 +143,12 @@ class Measure:
             bars = sentence("added", "bars", diameter=diameter, thread=thread, spacing=self.spacing)
         heights = tuple(Number(height, ".4g") for height in self.heights)
         values = {"size": Number(self.size, ".4g"), "zeta": Number(self.zeta), "heights": heights, "bars": bars}
-        values["shown"] = sentence("added", "nothing")
+        values["shown"] = values["looked_at"] = sentence("added", "nothing")
         if self.to_show:
             values["shown"] = sentence("added", "once_shown", keys=tuple(map(Key, self.to_show)))
+        if self.to_look_at:
+            names = tuple(sentence("mechanism", name) for name in self.to_look_at)
+            values["looked_at"] = sentence("added", "once_looked_at", names=names)
         return sentence("reason", self.code, **values)
 
 
@@ -193,7 +199,8 @@ def find_measure(setting: WallContext, kind: MeasureKind, cancelled: Callable[[]
             evaluated = there(size) if evaluated.beyond else evaluated
         if evaluated is not None and evaluated.sure:
             to_show = _find_unshown(there(size, inputs=(setting.demand, [], [])) or NO_EVALUATION, cancelled)
-            return Measure(kind.code, size, evaluated.zeta, kind.heights, kind.spacing, to_show)
+            left_out = _find_left_out(setting.case, kind.change(size))
+            return Measure(kind.code, size, evaluated.zeta, kind.heights, kind.spacing, to_show, left_out)
         size = size * MORE if kind.rises else size / MORE
     return None
 
@@ -202,6 +209,11 @@ def _find_unshown(by_clauses: WallEvaluation, cancelled: Callable[[], bool]) -> 
     """Keys whose other end turns a wall that passes by the clauses and that no document shows."""
     rows = [row for hinge in by_clauses.hinges if hinge.satisfied for row in evaluate_assumptions(hinge, cancelled)]
     return tuple(dict.fromkeys(row.key for row in rows if row.turns and row.open))
+
+
+def _find_left_out(case: Case, wall: Wall) -> tuple[str, ...]:
+    """Names of the mechanisms of a wall with a measure that nobody looks at."""
+    return find_mechanisms_left_out(make_wall_parts(0, wall, case.building), case.building)
 
 
 def spread(least: float, most: float, steps: int) -> list[float]:

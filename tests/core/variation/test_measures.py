@@ -171,3 +171,17 @@ def test_that_the_hold_of_a_wall_held_at_its_top_is_made_stronger(sought):
     asked = next(check for check in result.walls[0].assessment.checks if check.name == "hold").demand
     (stronger,) = [one for one in found if one.code == "measure_hold"]
     assert asked <= stronger.size <= asked + 0.2 and stronger.heights == (3.4,)
+
+
+@pytest.mark.shows("verdict.measures")
+def test_that_a_measure_says_which_mechanisms_are_to_be_looked_at_with_it(sought):
+    """A facade before cross walls of which nobody gives the clear distance: with the measure its outcome would be
+    indicative."""
+    apart = {key: value for key, value in FACADE.items() if key != "hinge_heights"}
+    apart |= {"hold": behind("drawing", kind="cross_walls"), "length_m": 8.0}
+    (measure, *_) = find_measures(context_of(case_of(apart, 0.2)))
+    assert measure.to_look_at == ("horizontal_bending",)
+    assert measure.words.text("en", {}).endswith("once these are looked at too: horizontal bending.")
+    aside = {"mechanism": "horizontal_bending", "evidence": {"kind": "survey", "reference": "S1"}}
+    (measure, *_) = find_measures(context_of(case_of(apart | {"set_aside": [aside]}, 0.2)))
+    assert measure.to_look_at == ()
