@@ -239,21 +239,20 @@ class Wall(Shaped):
     def _declared(self) -> Declared:
         if (hold := self.held_by) is None:
             return Declared(unloaded=self.unloaded_confirmed)
-        shown = hold.evidence
-        note = ", ".join(filter(None, (hold.name, *((shown.reference, shown.note) if shown else ()))))
+        foot = next((foot for foot in self.hold if foot.h_m == 0.0 and foot.out_kn_m is not None), None)
+        named = foot is not None and math.isfinite(require_value(foot.out_kn_m))
         return Declared(
-            hold.kind,
-            shown.kind if shown else None,
-            note,
+            *_named(hold),
             self.unloaded_confirmed,
             None if hold.out_kn_m is None else 1e3 * hold.out_kn_m,
             1e3 * hold.beside_kn_m if isinstance(hold, ShareOfHold) else 0.0,
-            next((1e3 * foot.out_kn_m for foot in self.hold if foot.h_m == 0.0 and foot.out_kn_m is not None), None),
+            None if foot is None else 1e3 * require_value(foot.out_kn_m),
             None if hold.in_kn_m is None else 1e3 * hold.in_kn_m,
             hold.elongation_m,
             hold.rocking if isinstance(hold, ShareOfHold) else None,
             hold.stub if isinstance(hold, ShareOfHold) else None,
             None if hold.stiffness_kn_m2 is None else 1e3 * hold.stiffness_kn_m2,
+            Declared(*_named(foot)) if named and foot is not None else None,
         )
 
     def _arch(self) -> Arch | None:
@@ -418,3 +417,10 @@ def find_mechanism(wall: Wall, walls: Iterable[Wall]) -> str:
     case"""
     variants = (variant for variant in walls if variant.name == wall.name)
     return FOUND[any(hold.is_contact for variant in variants for hold in variant.hold)]
+
+
+def _named(hold: Hold) -> tuple[str, str | None, str]:
+    """Kind of a hold, kind of the document that shows it, and what the engineer says of both."""
+    shown = hold.evidence
+    said = (hold.name, *((shown.reference, shown.note) if shown else ()))
+    return hold.kind, shown.kind if shown else None, ", ".join(filter(None, said))

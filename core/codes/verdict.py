@@ -202,10 +202,10 @@ def make_undetermined(demand: SeismicDemand, why: Sentence) -> Verdict:
 
 
 def _shown(assumed: Iterable[Assumption]) -> tuple[Assumption, ...]:
-    """Inputs whose other ends would turn the outcome, but for the document that shows them; of a key the first."""
-    rows = [
-        row for row in assumed if row.turns and row.reason and not row.permitted and row.key not in (RESTRAINT, ARCH)
-    ]
+    """Inputs whose other ends would turn the outcome, alone or with others, but for the document that shows them; of a
+    key the first."""
+    lifting = (row for row in assumed if (row.turns or row.raises) and row.reason and not row.permitted)
+    rows = [row for row in lifting if row.key not in (RESTRAINT, ARCH)]
     return tuple({row.key: row for row in reversed(rows)}.values())[::-1]
 
 

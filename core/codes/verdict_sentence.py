@@ -94,7 +94,9 @@ def _carried_by(
 ):
     """The end of a sentence with what the outcome rests on: what holds the wall, the documents that show what would
     turn it, and permitted values."""
-    rests_on = [restraint_phrase(wall.declared)] if wall.declared.restraint else []
+    holds = (wall.declared.at_foot, wall.declared)
+    rests_on = [restraint_phrase(held) for held in holds if held is not None and held.restraint]
+    rests_on = list(dict.fromkeys(rests_on))
     rests_on += [sentence("added", "shown_key", key=Key(row.key), document=row.reason) for row in shown]
     if code in ("verified", "verified_refined", "not_activated") and rests_on:
         tail = sentence("added", "rests_on", tail=tail, things=tuple(rests_on))

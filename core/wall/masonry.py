@@ -128,6 +128,7 @@ class Declared:
         there
     inward : strength of what holds its top against a motion inward [N/m]; None where it is not compared
     foot_strength : of what holds its base across [N/m]; None of one that rests on the friction of its bed joint
+    at_foot : what that is, and what shows it
     elongation : with which what holds its top yields at its strength before it is gone [m]; None of a brittle one
     stiffness : of what holds its top [N/m2]; None where it is not known
     """
@@ -144,6 +145,7 @@ class Declared:
     above: PartAbove | None = None
     stub: StubAbove | None = None
     stiffness: float | None = None
+    at_foot: "Declared | None" = None
 
 
 @dataclass(frozen=True)
