@@ -2,7 +2,7 @@
 
 from core.case.variant_names import AS_IS, DESIGNED
 from core.errors import InputError
-from core.text.sentence import FormNames, Sentence, capital, format_number, localized, text_of_key, word
+from core.text.sentence import FormNames, Sentence, capital, format_number, localized, text_of_key, title_in, word
 
 FORM_NAMES = FormNames()
 """Captions and units of the forms; each field adds its own."""
@@ -47,10 +47,10 @@ def variant_word(variant: str | None) -> str:
 
 
 def wall_title(name: str) -> str:
-    """Words with the name of a wall, its variant by `variant_word`."""
+    """Words with the name of a wall, its variant by `variant_word`, heights as the language writes them."""
     for variant in (AS_IS, DESIGNED):
         name = name.replace(f"({variant})", f"({variant_word(variant)})")
-    return name
+    return title_in(name, _current[0])
 
 
 def number(value: float | None, form: str) -> str:

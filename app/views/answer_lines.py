@@ -6,10 +6,9 @@ from app.look import theme
 from app.look.language import tr
 from core.case.asked import ASKED, HOLD
 from core.known import require_value
-from core.report.assumption_table import heads, rows_of
-from core.report.verdict_words import lines_of, tone_of
+from core.report.verdict_words import lines_of, names_in, tone_of
 from core.study.results import StudyResult, WallResult
-from core.text.sentence import Sentence, localized, word
+from core.text.sentence import Sentence, sentence, word
 
 
 def verdict_color(result: StudyResult, wall: WallResult) -> str:
@@ -58,13 +57,20 @@ def _target(one: Sentence) -> str | None:
     return "holds" if row.section == HOLD else f"reason:{row.keys[0]}"
 
 
-def _linked(words: list[str], sentences: tuple[Sentence, ...], kind: str, language: str) -> list[str]:
-    """Sentences as HTML, the first after the word of their kind; more words than sentences lead nowhere."""
-    lines = [html.escape(one, quote=False) for one in words]
-    for k, one in enumerate(sentences):
-        if target := _target(one):
+def in_form(said: Sentence) -> Sentence:
+    """What is to be done as the window says it: a document is given in the form it leads to, not in a file."""
+    values = dict(said.values)
+    if "evidence" in values and _target(said):
+        return sentence(said.group, said.code, **values | {"evidence": sentence("added", "in_form")})
+    return said
+
+
+def _linked(words: list[str], sentences: tuple[Sentence, ...]) -> list[str]:
+    """Sentences as HTML; more words than sentences lead nowhere."""
+    lines = [html.escape(line, quote=False) for line in words]
+    for k, said in enumerate(sentences):
+        if target := _target(said):
             lines[k] = link(target, lines[k])
-    lines[:1] = [f"<b>{word(kind, language)}:</b> {line}" for line in lines[:1]]
     return lines
 
 
@@ -73,36 +79,39 @@ def _words(result: StudyResult, wall: WallResult, language: str, kind: str) -> l
     return [line[before:] for line in lines_of(result, wall, language, (kind,))]
 
 
-def required_actions(result: StudyResult, wall: WallResult, language: str) -> list[str]:
-    """What is to be done."""
-    words = _words(result, wall, language, "to_do")
-    return _linked(words, require_value(wall.assessment).verdict.to_do, "to_do", language)
+def _with_kind(lines: list[str], kind: str, language: str) -> list[str]:
+    """Lines, the first after the word of their kind."""
+    return [f"<b>{word(kind, language)}:</b> {lines[0]}", *lines[1:]] if lines else []
 
 
-def assumption_rows(result: StudyResult, wall: WallResult, language: str) -> str:
-    """The table of assumptions of a wall as rich text, what turns the outcome in bold; "" without one."""
-    rows = rows_of(result, wall, language)
-    if not rows:
-        return ""
-    lines = [(heads(lambda words_of: localized("report", words_of, language)), True), *rows]
-    cells = (
-        "".join(
-            f"<td style='padding: 1px 8px 1px 0'>{f'<b>{html.escape(cell)}</b>' if bold else html.escape(cell)}</td>"
-            for cell in line
-        )
-        for line, bold in lines
-    )
-    return "<table>" + "".join(f"<tr>{line}</tr>" for line in cells) + "</table>"
+def required_actions(result: StudyResult, wall: WallResult, language: str, alone: bool = False) -> list[str]:
+    """What is to be done, alone without the word of that."""
+    to_do = require_value(wall.assessment).verdict.to_do
+    lines = _linked([in_form(said).text(language, names_in(language)) for said in to_do], to_do)
+    return lines if alone else _with_kind(lines, "to_do", language)
 
 
-def verdict_limitations(result: StudyResult, wall: WallResult, language: str, warnings: list[str]) -> list[str]:
-    """What limits the result, what makes it indicative first; nothing twice. warnings : of demand and wall"""
+def blocking_lines(wall: WallResult, lines: list[str]) -> list[str]:
+    """Of the lines of `verdict_limitations` those that make a verdict indicative and lead where nothing that is to be
+    done does."""
+    verdict = require_value(wall.assessment).verdict
+    led = {_target(said) for said in verdict.to_do}
+    blocking = zip(verdict.limits[: verdict.blocking], lines, strict=False)
+    return [line for said, line in blocking if (_target(said) or not led) and _target(said) not in led]
+
+
+def verdict_limitations(
+    result: StudyResult, wall: WallResult, language: str, warnings: list[str], alone: bool = False
+) -> list[str]:
+    """What limits the result, what makes it indicative first; nothing twice. warnings : of demand and wall; alone :
+    without the word of that"""
     words = _words(result, wall, language, "limits")
     for warning in warnings:
         if not any(warning.rstrip(".") in line for line in words):
             words.append(warning)
     extra = next((verdict.extra for verdict in result.verdicts if result.walls[verdict.governing] is wall), ())
-    return _linked(words, (*require_value(wall.assessment).verdict.limits, *extra), "limits", language)
+    lines = _linked(words, (*require_value(wall.assessment).verdict.limits, *extra))
+    return lines if alone else _with_kind(lines, "limits", language)
 
 
 def no_dynamic_check(result: StudyResult, wall: WallResult) -> tuple[str, str]:

@@ -1,34 +1,18 @@
-"""The answer of a wall: its verdict, the ladder of checks, its hinges, the peaks at the demand, facts of trust."""
+"""The answer of a wall: its outcome, the ladder of checks, its mechanisms, the peaks at the demand, what is to be
+done."""
 
 import html
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QPushButton,
-    QScrollArea,
-    QSizePolicy,
-    QSplitter,
-    QStackedWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
 
 from app.look import theme
 from app.look.drawing import WallDrawing
-from app.look.labels import PlainLabel, RichLabel
+from app.look.labels import PlainLabel, RichLabel, escape_html
 from app.look.language import number, tr, wall_title
-from app.views.answer_lines import (
-    assumption_rows,
-    link,
-    no_dynamic_check,
-    required_actions,
-    verdict_color,
-    verdict_limitations,
-)
+from app.views.answer_cards import LINKS, Card, CostCard, Drawer, Fact, ToDoCard, costliest, mechanism_lists, row_of
+from app.views.answer_lines import blocking_lines, link, no_dynamic_check, verdict_limitations
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
 from app.views.ladder import Ladder
@@ -39,12 +23,14 @@ from app.views.zeta_rungs import digits, rung_of
 from core.answer.answer import ordered_runs
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
+from core.codes.assumption import Assumption
 from core.codes.eq9 import LABEL
+from core.codes.outcomes import OUTCOMES
 from core.known import require_value
-from core.report.register_words import describe_lines
+from core.report.register_words import not_possible, reactions_line
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
-from core.report.verdict_words import lines_of, sentence_of, tone_of
+from core.report.verdict_words import headline_of, lines_of, sentence_of, tone_of
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import localized, word
@@ -53,14 +39,11 @@ from core.units import G
 MAX_PEAK_SHOWN, PEAK_AXIS_FACTOR = 1.2, 1.15
 """Largest peak over theta_c that bars show, and room above the largest bar and the limit that decides [of them]."""
 
-BIG = 3.2
-"""Size of zeta beside that of the other words."""
+BIG, HEADING, SENTENCE = 4.6, 1.75, 1.1
+"""Sizes of zeta, of the outcome and of the line below it beside that of the other words."""
 
-MAX_LIMITS_SHOWN = 3
-"""Lines of limits that are always shown; what makes a verdict indicative is among them, however much it is."""
-
-MIN_LADDER_HEIGHT = 340
-"""Least height of ladder and peaks together [px]: below it the page scrolls."""
+MIN_PEAKS_HEIGHT = 130
+"""Least height of the peaks [px]: below it the page scrolls."""
 
 OF_THE_LAW = ("no_power_law", "narrow_si")
 """Warnings that are notes of an answer."""
@@ -76,8 +59,8 @@ class Whole(QWidget):
 
 
 class CheckTab(ResultTab):
-    """The verdict of a wall in one line, what is to be done and what limits it, the ladder of checks, the wall with the
-    zeta of each hinge, the peaks at the demand, four facts of trust; the table and the comparisons by a click.
+    """The answer of a wall at a glance: zeta and outcome in one line, the wall with the zeta of each hinge beside its
+    checks, its mechanisms and its peaks; what is to be done and what costs most if it is not so; the rest in a drawer.
 
     asked(what) : variant, generate, a form by its kind, "key:" and "reason:" with a key
     record_picked(run) : the bar of a run was clicked, its (motion, polarity)
@@ -89,52 +72,31 @@ class CheckTab(ResultTab):
     def __init__(self, language: str):
         super().__init__()
         self.language = language
-        self._make_banner()
-        self.table = Table(
-            tr("Checks"),
-            [tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")],
-        )
-        self.ladder = Ladder()
+        self.shown: tuple[StudyResult, WallResult] | None = None
         self.drawing = WallDrawing()
         self.drawing.setMinimumWidth(170)
-        self.more = self._opener(self._show_table)
-        self.more.setText(tr("Table, Eq. 9 and research ▸"))
-        self.checks = QStackedWidget()
-        self.checks.addWidget(self.ladder)
-        self.checks.addWidget(self.table)
-        above = QWidget()
-        column = QVBoxLayout(above)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.checks, 1)
-        column.addWidget(self.more, 0, Qt.AlignmentFlag.AlignRight)
-        self.peaks = Chart(tr("record"), "θmax/θc [-]", tr("Peaks at the demand"))
-        self.peaks.setMinimumHeight(max(150, 12 * self.fontMetrics().height()))  # its levels apart in large letters
-        self.peaks.setToolTip(tr("Click a bar for the history of its record."))
-        self.peaks.clicked.connect(self._clicked)
-        self.runs: list[tuple[int, int]] = []
-        self.split = QSplitter(Qt.Orientation.Vertical)
-        self.split.addWidget(above)
-        self.curve = CapacityCurveChart()
-        self.split.addWidget(self.peaks)
-        self.split.addWidget(self.curve)
-        self.split.setStretchFactor(1, 1)
-        self.split.setStretchFactor(2, 1)
-        # what the words above leave, else the page scrolls by the chart's wish
-        self.split.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
-        self.facts = RichLabel()
-        self.facts.setWordWrap(True)
-        self.facts.setAccessibleName(tr("Why the result may be trusted"))
+        self.no_peaks = RichLabel()
+        self.no_peaks.setWordWrap(True)
+        self.no_peaks.setTextInteractionFlags(LINKS)
+        self.no_peaks.linkActivated.connect(self.asked)
+        self.to_do, self.cost, self.drawer = ToDoCard(), CostCard(), Drawer()
+        self.to_do.asked.connect(self.asked)
+        self.drawer.asked.connect(self.asked)
+        self.cost.turned.connect(self._show_turned)
         page = Whole()
         layout = QVBoxLayout(page)
-        layout.setContentsMargins(6, 6, 6, 4)
-        layout.addWidget(self.banner)
+        layout.setContentsMargins(10, 6, 10, 4)
+        layout.setSpacing(8)
+        layout.addLayout(self._head())
         middle = QHBoxLayout()  # the wall as high as checks and peaks together
-        middle.addWidget(self.split, 5)
-        middle.addWidget(self.drawing, 2)
+        middle.setSpacing(10)
+        wall = Card("")
+        wall.inside.addWidget(self.drawing, 1)
+        middle.addWidget(wall, 2)
+        middle.addWidget(self._checks_card(), 5)
         layout.addLayout(middle, 1)
-        layout.addWidget(self.no_peaks)
-        layout.addWidget(self.facts)
+        layout.addLayout(row_of(self.to_do, self.cost))
+        layout.addWidget(self.drawer)
         area = QScrollArea()
         area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
@@ -143,104 +105,93 @@ class CheckTab(ResultTab):
         whole.setContentsMargins(0, 0, 0, 0)
         whole.addWidget(area)
 
-    def _make_banner(self) -> None:
-        """The verdict, what is to be done, what limits it and notes, in a frame."""
-        self.heading, self.sentence = PlainLabel(), PlainLabel(tr("No result yet: press F5."))
-        self.zeta = PlainLabel()
-        self.important, self.reasons = RichLabel(), PlainLabel()
-        for label in (self.heading, self.sentence, self.important, self.reasons):
+    def _head(self) -> QHBoxLayout:
+        """zeta beside the outcome and one line on what decides."""
+        self.zeta, self.heading = PlainLabel(), PlainLabel()
+        self.sentence = PlainLabel(tr("No result yet: press F5."))
+        self.sentence.setStyleSheet(theme.font_points(SENTENCE))
+        for label in (self.heading, self.sentence):
             label.setWordWrap(True)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        links = Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
-        self.no_peaks = RichLabel()
-        self.others = RichLabel()
-        self.others.setWordWrap(True)
-        self.assumed = RichLabel()
-        self.assumed.setWordWrap(True)
-        self.all_limits = self._opener(self.others.setVisible)
-        for label in (self.important, self.others, self.no_peaks):
-            label.setTextInteractionFlags(label.textInteractionFlags() | links)
-            label.linkActivated.connect(self.asked)
-        self.no_peaks.setWordWrap(True)
-        self.notes = self._opener(self.reasons.setVisible)
-        self.banner = QFrame()
-        self.banner.setObjectName("verdict")
-        across, inside = QHBoxLayout(self.banner), QVBoxLayout()
-        across.setContentsMargins(14, 6, 10, 6)
-        across.setSpacing(16)
-        across.addWidget(self.zeta, 0, Qt.AlignmentFlag.AlignTop)
-        across.addLayout(inside, 1)
-        inside.setSpacing(2)
-        said = (self.important, self.assumed, self.all_limits, self.others)
-        for widget in (self.heading, self.sentence, *said, self.notes, self.reasons):
-            inside.addWidget(widget)
-        for widget in (self.all_limits, self.others, self.reasons):
-            widget.hide()
+        head, beside = QHBoxLayout(), QVBoxLayout()
+        head.setSpacing(20)
+        beside.setSpacing(0)
+        beside.addStretch(1)
+        beside.addWidget(self.heading)
+        beside.addWidget(self.sentence)
+        beside.addStretch(1)
+        head.addWidget(self.zeta, 0, Qt.AlignmentFlag.AlignVCenter)
+        head.addLayout(beside, 1)
+        return head
 
-    def _show_table(self, on: bool) -> None:
-        """The table in the place of the ladder."""
-        self.checks.setCurrentIndex(int(on))
-
-    @staticmethod
-    def _opener(slot) -> QPushButton:
-        button = QPushButton()
-        button.setCheckable(True)
-        button.setFlat(True)
-        button.setStyleSheet(f"QPushButton {{ color: {theme.current.curves[0]}; text-align: left; padding: 2px; }}")
-        button.toggled.connect(slot)
-        return button
+    def _checks_card(self) -> Card:
+        """The checks as bars or as a table, the mechanisms in three lists, the peaks."""
+        self.table = Table(
+            tr("Checks"),
+            [tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")],
+        )
+        self.ladder = Ladder()
+        self.more = QPushButton(tr("Table, Eq. 9 and research ▸"))
+        self.more.setCheckable(True)
+        self.more.setFlat(True)
+        shade = theme.current.curves[0]
+        self.more.setStyleSheet(f"QPushButton {{ color: {shade}; text-align: left; padding: 2px; }}")
+        self.checks = QStackedWidget()
+        self.checks.addWidget(self.ladder)
+        self.checks.addWidget(self.table)
+        self.more.toggled.connect(lambda on: self.checks.setCurrentIndex(int(on)))
+        self.mechanisms = RichLabel()
+        self.mechanisms.setWordWrap(True)
+        self.mechanisms.setTextInteractionFlags(LINKS)
+        self.mechanisms.setAccessibleName(tr("Mechanisms"))
+        self.mechanisms.linkActivated.connect(self.asked)
+        self.peaks = Chart(tr("record"), "θmax/θc [-]", tr("Peaks at the demand"))
+        self.peaks.setMinimumHeight(max(MIN_PEAKS_HEIGHT, 11 * self.fontMetrics().height()))
+        self.peaks.setToolTip(tr("Click a bar for the history of its record."))
+        self.peaks.clicked.connect(self._clicked)
+        self.runs: list[tuple[int, int]] = []
+        self.curve = CapacityCurveChart()
+        card = Card("")
+        for widget in (self.checks, self.mechanisms, self.no_peaks, self.peaks, self.curve):
+            card.inside.addWidget(widget, 1 if widget in (self.peaks, self.curve) else 0)
+        card.inside.insertWidget(1, self.more, 0, Qt.AlignmentFlag.AlignRight)
+        return card
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
         """Fill the page from one hinge of a wall of a result."""
-        assessment = wall.assessment
+        self.shown, assessment = (result, wall), wall.assessment
         self.peaks.clear()
         self.curve.show_in_place_of(self.peaks, result, wall)
         self.drawing.show_wall(wall.part.body, zeta_by_hinge(result, wall))
-        shade = verdict_color(result, wall) if assessment else theme.current.edge
-        tint = QColor(shade)
-        tint.setAlpha(26)
-        edges = f"border: 1px solid {shade}; border-left: 8px solid {shade};"
-        self.banner.setStyleSheet(f"QFrame#verdict {{ {edges} background: {tint.name(QColor.NameFormat.HexArgb)}; }}")
-        for widget in (self.ladder, self.more, self.important, self.zeta):
+        for widget in (self.checks, self.more, self.zeta):
             widget.setVisible(assessment is not None)
+        origin = wall.part.origin
+        decided = next((each for each in result.verdicts if result.walls[each.governing].part.origin == origin), None)
+        self.mechanisms.setText(mechanism_lists(result, decided, self.language) if decided else "")
+        self.mechanisms.setVisible(decided is not None)
+        self.mechanisms.setToolTip(escape_html(not_possible(result, decided, self.language) if decided else ""))
         if assessment is None:
-            self.all_limits.hide()
-            self.assumed.hide()
-            self.others.hide()
+            self.to_do.hide()
+            self.cost.show_row(None, None, self.language)
             self.heading.setText(wall_title(wall.name))
+            self.heading.setStyleSheet(f"{theme.font_points(HEADING)} font-weight: 700;")
             self.sentence.setText(tr("No demand: no check. q of the wall: {q}", q=digits(wall.q_set)))
-            self._fold(self._warnings(result, wall) + self._warnings(result, wall, True))
-            self.facts.setText("")
+            notes = self._warnings(result, wall) + self._warnings(result, wall, True)
+            self.drawer.show_facts([Fact(tr("Notes"), str(len(notes)), notes)] if notes else [])
             self.table.show_rows([])
             self._show_peaks(tr("No demand: nothing to compare the peaks with."), "demand")
             return
-        verdict = assessment.verdict
-        self.zeta.setText(f"ζ {digits(verdict.zeta_e)}")
-        self.zeta.setStyleSheet(f"{theme.font_points(BIG)} font-weight: 700; color: {shade};")
-        outcome = theme.add_tone_mark(tone_of(result, wall), word(verdict.code, self.language))
-        self.heading.setText(f"{wall_title(wall.name)}: {outcome}")
-        self.heading.setStyleSheet(f"{theme.font_points(1.75)} font-weight: 700; color: {shade};")
-        self.sentence.setText(wall_title(sentence_of(wall, self.language)))
-        lines = verdict_limitations(result, wall, self.language, self._warnings(result, wall))
-        shown = max(MAX_LIMITS_SHOWN, verdict.blocking) if len(lines) > MAX_LIMITS_SHOWN + 1 else len(lines)
-        self.important.setText("<br>\n".join([*required_actions(result, wall, self.language), *lines[:shown]]))
-        self.others.setText("<br>\n".join(lines[shown:]))
-        self.assumed.setText(assumption_rows(result, wall, self.language))
-        self.assumed.setVisible(bool(self.assumed.text()))
-        self.all_limits.setText(tr("All {n} limits ▾", n=len(lines)))
-        self.all_limits.setVisible(len(lines) > shown)
-        self.others.setVisible(len(lines) > shown and self.all_limits.isChecked())
-        others = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
-        others += self._warnings(result, wall, True)
-        if decided := verdict_of(result, wall):
-            others += describe_lines(result, decided, self._report_words, self.language)
-        if assessment.kinematic:
-            others.insert(0, self._mechanism(assessment))
-        self._fold(others)
+        verdict, demand = assessment.verdict, result.demand
+        self._show_head(verdict.zeta_e, verdict.code, tone_of(result, wall))
+        self.sentence.setText(wall_title(headline_of(wall, self.language)))
+        self.sentence.setToolTip(escape_html(wall_title(sentence_of(wall, self.language))))
+        limits = verdict_limitations(result, wall, self.language, self._warnings(result, wall), alone=True)
+        asked = [html.escape(warning.text(self.language), quote=False) for warning in demand.warnings] if demand else []
+        self.to_do.show_actions(result, wall, self.language, [*blocking_lines(wall, limits), *asked])
+        self.cost.show_row(costliest(verdict.assumptions), verdict.zeta_e, self.language)
+        self.drawer.show_facts(self._facts(result, wall, limits))
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
         self.ladder.show_rungs(rungs, verdict.zeta_target)
-        self.split.setMinimumHeight(max(MIN_LADDER_HEIGHT, self.split.minimumSizeHint().height()))
-        self.facts.setText(self._facts(result, wall))
         self.table.show_rows(*self._rows(result, wall))
         self.peaks.caption = title_of(wall)
         if assessment.dynamic:
@@ -249,8 +200,23 @@ class CheckTab(ResultTab):
         else:
             self._show_peaks(*no_dynamic_check(result, wall))
 
-    def _report_words(self, english: str, **values) -> str:
-        return localized("report", english, self.language, **values)
+    def _show_head(self, zeta: float | None, code: str, tone: str) -> None:
+        """zeta and an outcome in its colour."""
+        shade = getattr(theme.current, tone)
+        self.zeta.setText(f"ζ {digits(zeta)}")
+        self.zeta.setStyleSheet(f"{theme.font_points(BIG)} font-weight: 700; color: {shade};")
+        title = wall_title(require_value(self.shown)[1].name)
+        self.heading.setText(f"{title}: {theme.add_tone_mark(tone, word(code, self.language))}")
+        self.heading.setStyleSheet(f"{theme.font_points(HEADING)} font-weight: 700; color: {shade};")
+
+    def _show_turned(self, row: Assumption | None) -> None:
+        """The head as the assumption that costs most is not so; None as it is given."""
+        result, wall = require_value(self.shown)
+        verdict = wall.required_assessment.verdict
+        if row is None:
+            self._show_head(verdict.zeta_e, verdict.code, tone_of(result, wall))
+        else:
+            self._show_head(row.zeta, row.outcome, OUTCOMES[row.outcome].tone)
 
     def _show_peaks(self, why: str = "", lead: str = "") -> None:
         """The chart of the peaks, or why there is none and what leads to it. lead : as of `ask`, or nothing"""
@@ -325,8 +291,8 @@ class CheckTab(ResultTab):
         return rows, colors
 
     def _mechanism(self, assessment) -> str:
-        """Free to vibrate or restrained, T_0, and what the dynamic check says beside zeta_E."""
-        kinematic, dynamic = assessment.kinematic, assessment.dynamic
+        """Free to vibrate or restrained, T_0, and the side of FC."""
+        kinematic = assessment.kinematic
         parts = [tr("Element free to vibrate") if kinematic.free_element else tr("Not free to vibrate")]
         if kinematic.period_0 is not None:
             parts.append(f"T_0 {number(kinematic.period_0, '.3f')} s")
@@ -334,13 +300,8 @@ class CheckTab(ResultTab):
         if kinematic.chain.friction_height is not None:
             height = kinematic.chain.friction_height
             parts.append(tr("of the upper {h:.2f} m with friction", h=height))
-        if dynamic:
-            parts.append(word(f"confidence_{dynamic.confidence_on}", self.language))
-            parts.append(f"ζ_16 {digits(dynamic.zeta_16)}")
-            share = f"{number(dynamic.share_failing_at_demand, '.0%')}"
-            parts.append(tr("failing within ±10 % of the demand: {share}", share=share))
-        if assessment.risk:
-            parts += self._risk(assessment.risk)
+        if assessment.dynamic:
+            parts.append(word(f"confidence_{assessment.dynamic.confidence_on}", self.language))
         return "; ".join(parts)
 
     @staticmethod
@@ -358,42 +319,60 @@ class CheckTab(ResultTab):
         said = (*(result.demand.warnings if result.demand else ()), *wall.warnings)
         return [one.text(self.language) for one in said if (one.code in OF_THE_LAW) == of_the_law]
 
-    def _fold(self, lines: list[str]) -> None:
-        """Notes behind their number."""
-        self.notes.setText(tr("Notes: {n} ▾", n=len(lines)))
-        self.notes.setVisible(bool(lines))
-        self.reasons.setText("\n".join(f"• {line}" for line in lines))
-
-    def _facts(self, result: StudyResult, wall: WallResult) -> str:
-        """Five facts by which a reader judges how far the verdict goes."""
+    def _facts(self, result: StudyResult, wall: WallResult, limits: list[str]) -> list[Fact]:
+        """What stands in the drawer: how sure zeta is, the records, other states, what the wall withstands, what limits
+        the outcome, notes."""
         assessment = require_value(wall.assessment)
-        dynamic, facts = assessment.dynamic, []
-        if dynamic and dynamic.zeta is not None:
-            other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"
-            facts.append((tr("Scatter: one multiplier in six fails"), other))
-        rules = result.compliance
+        verdict, dynamic, rules = verdict_of(result, wall), assessment.dynamic, result.compliance
+        sure = self._how_sure(result, wall)
         kind = "" if rules is None else ", " + (tr("compatible") if rules.compatible else tr("not compatible"))
-        facts.append((tr("Set of records"), f"{len(result.motions)}{kind}"))
-        verdict = verdict_of(result, wall)
+        facts = [Fact(tr("What else moves ζ"), sure[0].split(" · ")[0], sure)] if sure else []
+        if dynamic or result.motions:
+            failing = [] if dynamic is None else self._failing(dynamic)
+            facts.append(Fact(tr("Records"), f"{len(result.motions)}{kind}", failing))
+        states = {} if verdict is None else verdict.states
+        others = [f"{state} {digits(found.zeta)}" for state, found in states.items() if found.zeta is not None]
+        if others:
+            facts.append(Fact(tr("ζ of all states"), " · ".join(others), []))
+        if risk := risk_of(result, wall):
+            lines = self._risk(risk)
+            facts.append(Fact(tr("It withstands"), lines[0], lines[1:]))
+        notes = lines_of(result, wall, self.language, ("note", "reason")) + tie_lines(wall, self.language)
+        notes += self._warnings(result, wall, True)
+        if assessment.kinematic:
+            notes.insert(0, self._mechanism(assessment))
+        if verdict and (taken := reactions_line(result, verdict, self._report_words, self.language)):
+            notes.insert(0, taken)
+        behind = [html.escape(line, quote=False) for line in notes]
+        told = ((tr("Limits"), limits), (tr("Notes"), behind))
+        return facts + [Fact(label, str(len(lines)), lines) for label, lines in told if lines]
+
+    def _how_sure(self, result: StudyResult, wall: WallResult) -> list[str]:
+        """What else zeta hangs on: other stations, scatter, the other side of FC, the wall without what holds it."""
+        assessment, facts = require_value(wall.assessment), []
+        dynamic, verdict = assessment.dynamic, verdict_of(result, wall)
         if verdict and (interval := verdict.interval):
             ends = digits(interval.low), "…" if interval.open_end else digits(interval.high)
             facts.append((tr("Other stations, nine of ten"), f"ζ {ends[0]} – {ends[1]}"))
+        if dynamic and dynamic.zeta is not None:
+            other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"
+            facts.append((tr("Scatter: one multiplier in six fails"), other))
         if assessment.lower_bound is not None:
             facts.append((tr("If the restraint behind fails"), f"ζ {digits(assessment.lower_bound.zeta)}"))
         elif assessment.verdict.lower_bound is not None:
             facts.append((tr("If what holds the top fails"), f"ζ {digits(assessment.verdict.lower_bound)}"))
-        elif dynamic and dynamic.zeta_other:
+        if dynamic and dynamic.zeta_other:
             side = word(f"confidence_{dynamic.zeta_other.confidence_on}", self.language)
             facts.append((side, f"ζ {digits(dynamic.zeta_other.zeta)}"))
-        if risk := risk_of(result, wall):
-            facts.append(("PGA_C", f"{number(risk.pga / G, '.3f')} g"))
-        quiet = theme.current.quiet
-        cells = "".join(
-            f"<td style='padding-right: 34px'><span style='color:{quiet}'>{html.escape(name)}</span><br>"
-            f"<b>{html.escape(value)}</b></td>"
-            for name, value in facts
-        )
-        return f"<table><tr>{cells}</tr></table>"
+        return [f"{html.escape(value)} · {html.escape(name)}" for name, value in facts]
+
+    def _failing(self, dynamic) -> list[str]:
+        """How near to the demand the rule of the records fails."""
+        share = number(dynamic.share_failing_at_demand, ".0%")
+        return [f"ζ_16 {digits(dynamic.zeta_16)}; " + tr("failing within ±10 % of the demand: {share}", share=share)]
+
+    def _report_words(self, english: str, **values) -> str:
+        return localized("report", english, self.language, **values)
 
     def _bars(self, check) -> None:
         runs = ordered_runs(check)

@@ -52,7 +52,7 @@ class Ladder(QWidget):
 
     @property
     def row_height(self) -> float:
-        return 2.55 * self.fontMetrics().height()
+        return 2.3 * self.fontMetrics().height()
 
     def sizeHint(self) -> QSize:
         return QSize(480, round(self.row_height * max(1, len(self.rungs)) + 2.0 * self.fontMetrics().height()))

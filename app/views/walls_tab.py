@@ -1,24 +1,31 @@
 """The tab Overview: every wall of the study, the lowest zeta first, and walls before beside walls after."""
 
-from typing import Any
+import html
+from collections import Counter
+from typing import Any, NamedTuple
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QSplitter, QStyledItemDelegate, QVBoxLayout, QWidget
 
-from app.look.labels import PlainLabel
+from app.look import theme
+from app.look.labels import PlainLabel, RichLabel
 from app.look.language import number, tr, wall_title
-from app.views.answer_lines import verdict_color
+from app.views.answer_cards import TITLE_POINTS, Card
+from app.views.answer_lines import in_form, link, verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
 from app.views.zeta_rungs import digits
-from core.answer.answer import worst_so_far
+from core.answer.answer import actions_of, answers_worst_first, worst_so_far
+from core.codes.outcomes import OUTCOMES
+from core.known import require_value
 from core.report.columns import BY_KEY, Row
 from core.report.stated.quantity import select_quantities, serialize
 from core.report.stated.verdicts import VERDICT, VerdictSource
-from core.report.verdict_words import outcome_of
+from core.report.verdict_words import names_in, outcome_of, tone_of
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import WallComparison, compare_walls
-from core.text.sentence import word
+from core.text.sentence import localized, word
 from core.variation.limit_states import LIMIT_STATES
 
 OF_HINGE = ("name", "mechanism", "zeta_e", "verdict", "check", "q_set")
@@ -27,6 +34,12 @@ KEYS = (*OF_HINGE, *OF_WALL, *LIMIT_STATES)
 """Quantities of the results in the columns: about the hinge that decides, and of the whole wall."""
 MOST_IN_PLAN = 1000
 """Walls of a case among which one with a place in the key plan is looked for."""
+HEADING = 1.5
+"""Size of the heading beside that of the other words."""
+BAR_END, BAR_HEIGHT, BAR_WIDTH = 1.25, 5.0, 110
+"""Length of a bar over the zeta required, its height and least width [px]."""
+WIDTHS = [720, 340]
+"""Of the table and of what is beside it [px]."""
 ZETA, RISK = KEYS.index("zeta_e"), KEYS.index("pga_c_g")
 
 
@@ -58,6 +71,38 @@ def method_of(wall: WallResult, language: str) -> str:
     return word(labels[0], language) if labels else "–"
 
 
+class Bar(NamedTuple):
+    """zeta as a bar: it and the one required [-], colour."""
+
+    zeta: float
+    target: float
+    shade: str
+
+
+class ZetaBar(QStyledItemDelegate):
+    """A number with a bar below it, its end at BAR_END times the zeta required, and a line at that."""
+
+    def paint(self, painter, option, index) -> None:
+        """The cell, then the bar at its lower edge."""
+        super().paint(painter, option, index)
+        bar = index.data(Qt.ItemDataRole.UserRole)
+        if not isinstance(bar, Bar):
+            return
+        inside = QRectF(option.rect).adjusted(4.0, 0.0, -4.0, -3.0)
+        per_zeta = inside.width() / (BAR_END * bar.target)
+        wide = min(bar.zeta * per_zeta, inside.width())
+        top = inside.bottom() - BAR_HEIGHT
+        painter.fillRect(QRectF(inside.left(), top, inside.width(), BAR_HEIGHT), QColor(theme.current.grid))
+        painter.fillRect(QRectF(inside.left(), top, wide, BAR_HEIGHT), QColor(bar.shade))
+        line = inside.left() + bar.target * per_zeta
+        painter.fillRect(QRectF(line - 1.0, top - 2.0, 2.0, BAR_HEIGHT + 4.0), QColor(theme.current.ink))
+
+    def sizeHint(self, option, index) -> QSize:
+        """Room for the bar."""
+        words = super().sizeHint(option, index)
+        return QSize(max(BAR_WIDTH, words.width()), words.height() + round(BAR_HEIGHT) + 8)
+
+
 class WallsTab(ResultTab):
     """One row a wall and mechanism. picked(k) : the row of the result's k-th wall was clicked twice, its name once;
     row_picked(row) : of a wall of the case, of those that are finished while others run"""
@@ -71,6 +116,8 @@ class WallsTab(ResultTab):
         self.finished, self.finished_rows = 0, []
         self.shown: tuple[StudyResult, WallResult] | None = None
         self.by, self.falling = ZETA, False
+        self.heading = PlainLabel()
+        self.heading.setWordWrap(True)
         self.words = PlainLabel(tr("No result yet: press F5.") + "\n\n" + "\n".join(steps()))
         self.words.setWordWrap(True)
         self.table = Table(
@@ -88,6 +135,7 @@ class WallsTab(ResultTab):
                 *(f"ζ {state}" for state in LIMIT_STATES),
             ],
         )
+        self.table.setItemDelegateForColumn(ZETA, ZetaBar(self.table))
         self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
         self.table.cellClicked.connect(lambda row, column: self._picked(row) if column == 0 else None)
         self.table.setToolTip(tr("Click the name of a wall to open it, a column title to sort."))
@@ -114,13 +162,21 @@ class WallsTab(ResultTab):
         self.beside = beside
         self.plan: Any = None  # charts are slow to import
         beside.addWidget(self.table)
+        self.to_do = Card(tr("To do"), first=True)
+        self.action = RichLabel()
+        self.action.setWordWrap(True)
+        self.action.linkActivated.connect(lambda k: self.picked.emit(int(k)))
+        self.to_do.inside.addWidget(self.action)
         split.addWidget(beside)
         split.addWidget(below)
         self.split = split
         split.setVisible(False)
         layout = QVBoxLayout(self)
+        layout.addWidget(self.heading)
         layout.addWidget(self.words)
         layout.addWidget(split, 1)
+        layout.addWidget(self.to_do)
+        self.to_do.hide()
         layout.addStretch(0)
 
     def show_wall(self, result: StudyResult, wall: WallResult) -> None:
@@ -128,6 +184,8 @@ class WallsTab(ResultTab):
         self.shown = (result, wall)
         self.split.setVisible(True)
         self.words.setText(tr("Lowest ζ first. Click the name of a wall to open it."))
+        self._show_heading(result)
+        self._show_action(result)
         rows, colors = [], []
         verdicts = {verdict.governing: verdict for verdict in result.verdicts}
         deciding = [verdict.governing for verdict in result.verdicts] or range(len(result.walls))
@@ -139,6 +197,7 @@ class WallsTab(ResultTab):
         for column in range(RISK, self.table.columnCount()):  # what no wall has takes no room
             self.table.setColumnHidden(column, all(row[column] == "–" for row in rows))
         self.table.show_rows(rows, colors)
+        self._show_bars(result)
         shown = next((k for k in self.order if result.walls[k].part.origin == wall.part.origin), None)
         if shown is not None:
             self.table.selectRow(self.order.index(shown))
@@ -146,6 +205,45 @@ class WallsTab(ResultTab):
         pairs = compare_walls(result.verdicts)
         self.below.setVisible(bool(pairs))
         self.pairs.show_rows([self._pair(result, pair) for pair in pairs])
+
+    def _show_heading(self, result: StudyResult) -> None:
+        """How many walls have each outcome, in the colour of the worst."""
+        deciding = [result.walls[verdict.governing] for verdict in result.verdicts]
+        self.heading.setVisible(bool(deciding))
+        if not deciding:
+            return
+        codes = Counter(require_value(wall.assessment).verdict.code for wall in deciding)
+        counted = ", ".join(f"{word(code, self.language)}: {codes[code]}" for code in OUTCOMES if code in codes)
+        tones = {tone_of(result, wall) for wall in deciding}
+        worst = next(tone for tone in ("bad", "amber", "good") if tone in tones)
+        self.heading.setText(
+            localized("report", "Walls: {n}; {counted}.", self.language, n=len(deciding), counted=counted)
+        )
+        shade = getattr(theme.current, worst)
+        self.heading.setStyleSheet(f"{theme.font_points(HEADING)} font-weight: 700; color: {shade};")
+
+    def _show_action(self, result: StudyResult) -> None:
+        """What is to be done for most walls, with the walls it is of, and how much else there is."""
+        found = actions_of(result, [answer.verdict for answer in answers_worst_first(result)])
+        self.to_do.setVisible(bool(found))
+        if not found:
+            return
+        first = next(action for action, walls in found.items() if len(walls) == len(max(found.values(), key=len)))
+        words = html.escape(in_form(first).text(self.language, names_in(self.language)), quote=False)
+        names = ", ".join(link(str(each.governing), html.escape(wall_title(each.title))) for each in found[first])
+        left = len(found) - 1
+        more = [tr("and {n} more, at its wall", n=left)] if left else []
+        title = f"<span style='{theme.font_points(TITLE_POINTS)} font-weight: 600'>{words}</span>"
+        self.action.setText("<br>".join([title, names, *more]))
+
+    def _show_bars(self, result: StudyResult) -> None:
+        """zeta of each wall as a bar."""
+        target = 1.0 if result.demand is None else result.demand.zeta_target
+        for row, k in enumerate(self.order):
+            assessment = result.walls[k].assessment
+            if assessment is not None and (item := self.table.item(row, ZETA)) is not None:
+                shade = verdict_color(result, result.walls[k])
+                item.setData(Qt.ItemDataRole.UserRole, Bar(assessment.verdict.zeta_e or 0.0, target, shade))
 
     def _show_plan(self, result: StudyResult) -> None:
         """The key plan, where walls have a place in one."""
@@ -158,7 +256,7 @@ class WallsTab(ResultTab):
             self.plan.picked.connect(self.picked)
             self.plan.setMinimumWidth(300)
             self.beside.addWidget(self.plan)
-            self.beside.setSizes([600, 400])
+            self.beside.setSizes(WIDTHS)
         self.plan.setVisible(self.plan.show_result(result))
 
     def _row(
@@ -213,6 +311,8 @@ class WallsTab(ResultTab):
         """What is known while others run: of each wall the worst result that is there, no verdict before all are.
         zetas : row of a wall -> (zeta so far, whether all its results are there)"""
         self.split.setVisible(True)
+        self.heading.hide()
+        self.to_do.hide()
         self.below.setVisible(False)
         if self.plan is not None:
             self.plan.hide()

@@ -14,6 +14,7 @@ from core.codes.outcomes import min_if_all_known, severity_key
 from core.study.governing import governing_run
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import counted_walls, sort_by_severity
+from core.text.sentence import Sentence
 
 
 class Decision(NamedTuple):
@@ -120,6 +121,18 @@ def run_shown_first(wall: WallResult) -> int:
         return 0
     places = (k for k, run in enumerate(wall.runs) if (run.motion, run.polarity) == (first.motion, first.polarity))
     return next(places, 0)
+
+
+def actions_of(result: StudyResult, ordered: Iterable[WallVerdict]) -> dict[Sentence, list[WallVerdict]]:
+    """What is to be done, each sentence once with the walls it is of: of a wall that of all that decides as it does."""
+    walls: dict[Sentence, list[WallVerdict]] = {}
+    for verdict in ordered:
+        decides = result.walls[verdict.governing].assessment
+        found = [assessment.verdict for k in verdict.results if (assessment := result.walls[k].assessment) is not None]
+        same = [each for each in found if decides is not None and each.code == decides.verdict.code]
+        for action in dict.fromkeys(line for each in same for line in each.to_do):
+            walls.setdefault(action, []).append(verdict)
+    return walls
 
 
 def zeta_range(walls: Iterable[WallResult]) -> tuple[float | None, float | None]:

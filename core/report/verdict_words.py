@@ -3,11 +3,11 @@
 import functools
 
 from core.case.document import AnyEvidence
-from core.codes.outcomes import OUTCOMES
+from core.codes.outcomes import FAILS, OUTCOMES
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import hinge_location, sort_by_severity
 from core.text.catalogue import CATALOGUE
-from core.text.sentence import FormNames, word
+from core.text.sentence import FormNames, Number, sentence, word
 
 
 @functools.cache
@@ -35,6 +35,20 @@ def sentence_of(wall: WallResult, language: str) -> str:
     return wall.required_assessment.verdict.text(
         language, wall.part.asked.title, hinge_location(wall), names_in(language)
     )
+
+
+def headline_of(wall: WallResult, language: str) -> str:
+    """What decides about a wall in one line, beside its outcome; of one that passes with what that rests on."""
+    verdict = wall.required_assessment.verdict
+    values = dict(verdict.values)
+    if not values.get("by"):
+        return sentence_of(wall, language)
+    fails = OUTCOMES[verdict.code].judgement == FAILS
+    target = Number(verdict.zeta_target, ".2f")
+    line = {"by": values["by"], "where": hinge_location(wall), "target": target}
+    line["tail"] = sentence("added", "nothing") if fails else values.get("tail", "")
+    words = sentence("added", "headline", **line).text(language, names_in(language))
+    return words[:1].upper() + words[1:]
 
 
 def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | None]:

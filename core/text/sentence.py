@@ -1,6 +1,7 @@
 """The one mechanism for every text a person reads: a group, a code and values; core.text.catalogue has the wording
 in each language."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -169,6 +170,17 @@ def localized(group: str, code: str, language: str, /, **values) -> str:
 def notice(code: str, /, **values) -> Sentence:
     """A warning of a result."""
     return sentence("notice", code, **values)
+
+
+PART_OF_NAME = re.compile(r" [\[(][\d.+–−, ]+ m[\])]")
+"""What stands behind the name of a wall for a part of it: a hinge, a stretch, the holds it is without."""
+
+
+def title_in(name: str, language: str) -> str:
+    """A name of a wall, or words with it, with the decimal mark of a language in the heights of its part."""
+    if language == "en":
+        return name
+    return PART_OF_NAME.sub(lambda found: re.sub(r"(?<=\d)\.(?=\d)", ",", found[0].replace(", ", "; ")), name)
 
 
 def word(code: str, language: str) -> str:

@@ -328,7 +328,7 @@ def test_that_an_a_g_beyond_any_of_italy_is_asked_about_where_it_is_typed_and_wi
     result = run_study(parse_case({"wall": [wall], "demand": {"ag_g": 2.55}}), base_dir=tmp_path)
     tab = CheckTab("en")
     tab.show_wall(result, result.walls[0])
-    assert asked in tab.important.text()
+    assert asked in tab.to_do.words.text()
 
 
 @pytest.mark.parametrize(

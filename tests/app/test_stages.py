@@ -1,8 +1,8 @@
 """The frame of the window: stages, tree, what is missing, finding, the drawing under the hand, the client's view."""
 
 import gc
+import html
 import os
-import re
 from dataclasses import replace
 
 import pytest
@@ -38,16 +38,19 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
     assert opened.navigator.page == "check" and chips(opened)["w"] == f"{zeta:.2f}"
     content = opened.pages["check"].content
     assert content.ladder.rungs[0].zeta == zeta and f"{zeta:.2f}" in content.zeta.text()
-    # what makes the verdict indicative is never folded; the rest of what limits it is behind its number
+    # what is to be done is in sight; what limits the verdict, and notes, are behind their numbers
     verdict = opened.session.result.walls[0].assessment.verdict
-    assert len(content.important.text().splitlines()) == len(verdict.to_do) + max(3, verdict.blocking)
-    assert content.others.isHidden() and re.search(r"\d+ limits", content.all_limits.text())
-    content.all_limits.click()
-    said = content.important.text() + content.others.text()
-    assert content.others.isVisible() and said.count("<br>") >= len(verdict.limits)
-    assert "ζ" in content.facts.text() and content.reasons.isHidden()
-    content.notes.click()
-    assert not content.reasons.isHidden()
+    shown = content.to_do.words.text()
+    assert verdict.to_do and all(html.escape(said.text("en").split(" (")[0]) in shown for said in verdict.to_do)
+    labels = [fact.label for fact in content.drawer.facts]
+    limits = content.drawer.facts[labels.index("Limits")]
+    assert len(limits.lines) >= len(verdict.limits) and limits.value == str(len(limits.lines))
+    assert content.drawer.panel.isHidden()
+    for label in ("Limits", "Notes"):
+        content.drawer.buttons[labels.index(label)].click()
+        assert content.drawer.panel.isVisible()
+        assert content.drawer.facts[labels.index(label)].lines[0] in content.drawer.panel.text()
+    assert [button.isChecked() for button in content.drawer.buttons].count(True) == 1
     for number, name in enumerate(("input", "answer", "why", "report"), start=1):
         QTest.keyClick(opened, getattr(Qt.Key, f"Key_{number}"), Qt.KeyboardModifier.AltModifier)
         opened.navigator.show_stage(name)

@@ -74,7 +74,7 @@ def test_that_a_base_above_the_ground_asks_for_its_building_before_the_run_and_i
     opened.navigator.show_page("check")
     content = opened.pages["check"].content
     assert "building" in content.no_peaks.text() and "records" not in content.no_peaks.text()
-    content.important.linkActivated.emit(re.findall(r"href='([^']*)'", content.important.text())[0])
+    content.to_do.words.linkActivated.emit(re.findall(r"href='([^']*)'", content.to_do.words.text())[0])
     assert opened.stages.input.kind == "building" and opened.session.case.building is not None
     assert not any("motion above the ground" in one.words for one in opened.missing.problems)
 
@@ -83,10 +83,10 @@ def test_that_a_restraint_that_is_asked_for_is_named_as_its_field_and_found(open
     opened.session.edit_wall(0, mechanism="one_sided")
     run(application, opened)
     content = opened.pages["check"].content
-    words = content.important.text()
-    assert "(holds)" in words
+    words = content.to_do.words.text()
+    assert "href='holds'" in words
     opened.activateWindow()
-    content.important.linkActivated.emit("holds")
+    content.to_do.words.linkActivated.emit("holds")
     assert opened.stages.front == "input" and opened.focusWidget() is opened.walls.holds.add_button
 
 
@@ -277,8 +277,9 @@ def test_that_what_limits_a_verdict_says_nothing_of_the_law_of_research(opened, 
     run(application, opened)
     assert {warning.code for warning in opened.navigator.wall.warnings} & {"no_power_law", "narrow_si"}
     content = opened.pages["check"].content
-    assert "q_eff" not in content.important.text() + content.others.text()
-    assert "q_eff" in content.reasons.text()
+    behind = {fact.label: "".join(fact.lines) for fact in content.drawer.facts}
+    assert "q_eff" not in content.to_do.words.text() + behind["Limits"]
+    assert "q_eff" in behind["Notes"]
 
 
 def test_that_an_answer_without_a_check_leads_to_what_makes_one(opened, application):
@@ -286,8 +287,9 @@ def test_that_an_answer_without_a_check_leads_to_what_makes_one(opened, applicat
     settle(application, lambda: not opened.records.pending)
     run(application, opened)
     assert opened.navigator.wall.assessment.verdict.code == "undetermined"
-    words = opened.pages["check"].content.important.text()
-    assert words.count("To do") == 1 and "href='demand'" in words
+    content = opened.pages["check"].content
+    words = content.to_do.words.text()
+    assert content.to_do.isVisibleTo(content) and "href='demand'" in words
 
 
 def test_that_a_spectrum_without_records_offers_motions_for_it(opened, application):

@@ -92,7 +92,7 @@ def test_that_twenty_tasks_take_no_more_than_forty_five_actions(fresh, applicati
     table = window.pages["walls"].content.table
     hand.click(table.viewport(), table.visualItemRect(table.item(0, 0)).center())
     done_with("read the answer of the worst wall", navigator.page == "check")
-    done_with("what would make it pass", "measure" in window.pages["check"].content.important.text())
+    done_with("what would make it pass", "measure" in window.pages["check"].content.to_do.words.text())
     hand.key("Ctrl+3")
     done_with("see it rock", navigator.page == "histories")
     hand.click(window.pages["histories"].content.walls.play)

@@ -4,7 +4,7 @@ wall on two pages with what decides about it, what the engineer confirms. All el
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from core.answer.answer import Answer
+from core.answer.answer import Answer, actions_of
 from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
 from core.codes.outcomes import FAILS, OUTCOMES
 from core.report import assumption_table
@@ -132,15 +132,12 @@ def _walls_table(result: StudyResult, ordered: Sequence[WallVerdict], words: Wor
 
 def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) -> list[Part]:
     """What the designer does next: each sentence once, with the walls it is of."""
-    names: dict[str, list[str]] = {}
-    for verdict in ordered:
-        code = _governing(result, verdict).required_assessment.verdict.code
-        found = [result.walls[k].required_assessment.verdict for k in verdict.results]
-        for sentence in dict.fromkeys(line for each in found if each.code == code for line in each.to_do):
-            names.setdefault(sentence.text(words.language), []).append(verdict.title)  # with the keys of a file
-    if not names:
+    rows = [  # with the keys of a file
+        (", ".join(verdict.title for verdict in walls), action.text(words.language))
+        for action, walls in actions_of(result, ordered).items()
+    ]
+    if not rows:
         return []
-    rows = [(", ".join(walls), line) for line, walls in names.items()]
     return [Heading(words.say("What is to be done"), 3), Table((), rows, (1.3, 4))]
 
 
