@@ -108,13 +108,13 @@ class CostCard(Card):
         self.switch.blockSignals(False)
         if row is None:
             return
-        taken, other = format_value(row, row.value, language), format_value(row, row.other_end, language)
+        taken, instead = format_value(row, row.value, language), format_value(row, row.other_end, language)
         self.title.setText(f"{word(f'key_{row.key}', language)}: {taken}")
         reason = row.reason.text(language) if isinstance(row.reason, Sentence) else row.reason
         self.shown_by.setText(tr("Shown: {reason}", reason=reason) if reason else tr("No document shows it."))
         outcome = word(row.outcome, language)
-        values = {"zeta": digits(zeta), "other": other, "there": digits(row.zeta), "outcome": outcome}
-        self.switch.setText(tr("so: ζ {zeta}     {other}: ζ {there}, {outcome}", **values))
+        values = {"zeta": digits(zeta), "instead": instead, "lower": digits(row.zeta), "outcome": outcome}
+        self.switch.setText(tr("so: ζ {zeta}     {instead}: ζ {lower}, {outcome}", **values))
 
 
 def costliest(rows: tuple[Assumption, ...]) -> Assumption | None:
@@ -201,8 +201,8 @@ class Drawer(QWidget):
         return QSize(widest, super().minimumSizeHint().height())
 
     def _open(self, k: int, on: bool) -> None:
-        for other, button in enumerate(self.buttons):
-            if other != k and on:
+        for n, button in enumerate(self.buttons):
+            if n != k and on:
                 button.setChecked(False)
         if on:
             self.panel.setText("<br>\n".join(self.facts[k].lines))
@@ -271,7 +271,7 @@ def _left_words(rows: list[Looked], language: str) -> str:
     return f"{names} {link('holds', tr('give what is missing'))}" if names else ""
 
 
-def row_of(*widgets: QWidget) -> QHBoxLayout:
+def lay_out_row(*widgets: QWidget) -> QHBoxLayout:
     """Cards beside each other."""
     row = QHBoxLayout()
     row.setSpacing(10)

@@ -57,19 +57,19 @@ def _target(one: Sentence) -> str | None:
     return "holds" if row.section == HOLD else f"reason:{row.keys[0]}"
 
 
-def in_form(said: Sentence) -> Sentence:
+def say_in_window(action: Sentence) -> Sentence:
     """What is to be done as the window says it: a document is given in the form it leads to, not in a file."""
-    values = dict(said.values)
-    if "evidence" in values and _target(said):
-        return sentence(said.group, said.code, **values | {"evidence": sentence("added", "in_form")})
-    return said
+    values = dict(action.values)
+    if "evidence" in values and _target(action):
+        return sentence(action.group, action.code, **values | {"evidence": sentence("added", "in_form")})
+    return action
 
 
 def _linked(words: list[str], sentences: tuple[Sentence, ...]) -> list[str]:
     """Sentences as HTML; more words than sentences lead nowhere."""
     lines = [html.escape(line, quote=False) for line in words]
-    for k, said in enumerate(sentences):
-        if target := _target(said):
+    for k, action in enumerate(sentences):
+        if target := _target(action):
             lines[k] = link(target, lines[k])
     return lines
 
@@ -79,7 +79,7 @@ def _words(result: StudyResult, wall: WallResult, language: str, kind: str) -> l
     return [line[before:] for line in lines_of(result, wall, language, (kind,))]
 
 
-def _with_kind(lines: list[str], kind: str, language: str) -> list[str]:
+def _head_first(lines: list[str], kind: str, language: str) -> list[str]:
     """Lines, the first after the word of their kind."""
     return [f"<b>{word(kind, language)}:</b> {lines[0]}", *lines[1:]] if lines else []
 
@@ -87,17 +87,17 @@ def _with_kind(lines: list[str], kind: str, language: str) -> list[str]:
 def required_actions(result: StudyResult, wall: WallResult, language: str, alone: bool = False) -> list[str]:
     """What is to be done, alone without the word of that."""
     to_do = require_value(wall.assessment).verdict.to_do
-    lines = _linked([in_form(said).text(language, names_in(language)) for said in to_do], to_do)
-    return lines if alone else _with_kind(lines, "to_do", language)
+    lines = _linked([say_in_window(action).text(language, names_in(language)) for action in to_do], to_do)
+    return lines if alone else _head_first(lines, "to_do", language)
 
 
 def blocking_lines(wall: WallResult, lines: list[str]) -> list[str]:
     """Of the lines of `verdict_limitations` those that make a verdict indicative and lead where nothing that is to be
     done does."""
     verdict = require_value(wall.assessment).verdict
-    led = {_target(said) for said in verdict.to_do}
+    led = {_target(action) for action in verdict.to_do}
     blocking = zip(verdict.limits[: verdict.blocking], lines, strict=False)
-    return [line for said, line in blocking if (_target(said) or not led) and _target(said) not in led]
+    return [line for action, line in blocking if (_target(action) or not led) and _target(action) not in led]
 
 
 def verdict_limitations(
@@ -111,7 +111,7 @@ def verdict_limitations(
             words.append(warning)
     extra = next((verdict.extra for verdict in result.verdicts if result.walls[verdict.governing] is wall), ())
     lines = _linked(words, (*require_value(wall.assessment).verdict.limits, *extra))
-    return lines if alone else _with_kind(lines, "limits", language)
+    return lines if alone else _head_first(lines, "limits", language)
 
 
 def no_dynamic_check(result: StudyResult, wall: WallResult) -> tuple[str, str]:

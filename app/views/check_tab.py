@@ -11,7 +11,17 @@ from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.labels import PlainLabel, RichLabel, escape_html
 from app.look.language import number, tr, wall_title
-from app.views.answer_cards import LINKS, Card, CostCard, Drawer, Fact, ToDoCard, costliest, mechanism_lists, row_of
+from app.views.answer_cards import (
+    LINKS,
+    Card,
+    CostCard,
+    Drawer,
+    Fact,
+    ToDoCard,
+    costliest,
+    lay_out_row,
+    mechanism_lists,
+)
 from app.views.answer_lines import blocking_lines, link, no_dynamic_check, verdict_limitations
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
@@ -30,7 +40,7 @@ from core.known import require_value
 from core.report.register_words import not_possible, reactions_line
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
-from core.report.verdict_words import headline_of, lines_of, sentence_of, tone_of
+from core.report.verdict_words import lines_of, sentence_of, tone_of, write_headline
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import localized, word
@@ -95,7 +105,7 @@ class CheckTab(ResultTab):
         middle.addWidget(wall, 2)
         middle.addWidget(self._checks_card(), 5)
         layout.addLayout(middle, 1)
-        layout.addLayout(row_of(self.to_do, self.cost))
+        layout.addLayout(lay_out_row(self.to_do, self.cost))
         layout.addWidget(self.drawer)
         area = QScrollArea()
         area.setWidgetResizable(True)
@@ -183,7 +193,7 @@ class CheckTab(ResultTab):
             return
         verdict, demand = assessment.verdict, result.demand
         self._show_head(verdict.zeta_e, verdict.code, tone_of(result, wall))
-        self.sentence.setText(wall_title(headline_of(wall, self.language)))
+        self.sentence.setText(wall_title(write_headline(wall, self.language)))
         self.sentence.setToolTip(escape_html(wall_title(sentence_of(wall, self.language))))
         limits = verdict_limitations(result, wall, self.language, self._warnings(result, wall), alone=True)
         asked = [html.escape(warning.text(self.language), quote=False) for warning in demand.warnings] if demand else []
@@ -316,8 +326,8 @@ class CheckTab(ResultTab):
 
     def _warnings(self, result: StudyResult, wall: WallResult, of_the_law: bool = False) -> list[str]:
         """What is said of the demand and of the wall; of_the_law : of the law of q_eff, on which no verdict rests"""
-        said = (*(result.demand.warnings if result.demand else ()), *wall.warnings)
-        return [one.text(self.language) for one in said if (one.code in OF_THE_LAW) == of_the_law]
+        warnings = (*(result.demand.warnings if result.demand else ()), *wall.warnings)
+        return [warning.text(self.language) for warning in warnings if (warning.code in OF_THE_LAW) == of_the_law]
 
     def _facts(self, result: StudyResult, wall: WallResult, limits: list[str]) -> list[Fact]:
         """What stands in the drawer: how sure zeta is, the records, other states, what the wall withstands, what limits
@@ -355,8 +365,8 @@ class CheckTab(ResultTab):
             ends = digits(interval.low), "…" if interval.open_end else digits(interval.high)
             facts.append((tr("Other stations, nine of ten"), f"ζ {ends[0]} – {ends[1]}"))
         if dynamic and dynamic.zeta is not None:
-            other = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"
-            facts.append((tr("Scatter: one multiplier in six fails"), other))
+            between = f"ζ {digits(dynamic.zeta_16)} – {digits(dynamic.zeta)}"
+            facts.append((tr("Scatter: one multiplier in six fails"), between))
         if assessment.lower_bound is not None:
             facts.append((tr("If the restraint behind fails"), f"ζ {digits(assessment.lower_bound.zeta)}"))
         elif assessment.verdict.lower_bound is not None:

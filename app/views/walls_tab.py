@@ -12,11 +12,11 @@ from app.look import theme
 from app.look.labels import PlainLabel, RichLabel
 from app.look.language import number, tr, wall_title
 from app.views.answer_cards import TITLE_POINTS, Card
-from app.views.answer_lines import in_form, link, verdict_color
+from app.views.answer_lines import link, say_in_window, verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
 from app.views.zeta_rungs import digits
-from core.answer.answer import actions_of, answers_worst_first, worst_so_far
+from core.answer.answer import answers_worst_first, collect_actions, worst_so_far
 from core.codes.outcomes import OUTCOMES
 from core.known import require_value
 from core.report.columns import BY_KEY, Row
@@ -71,10 +71,10 @@ def method_of(wall: WallResult, language: str) -> str:
     return word(labels[0], language) if labels else "–"
 
 
-class Bar(NamedTuple):
-    """zeta as a bar: it and the one required [-], colour."""
+class ZetaMark(NamedTuple):
+    """zeta as a bar: its size and the one required [-], colour."""
 
-    zeta: float
+    size: float
     target: float
     shade: str
 
@@ -86,15 +86,15 @@ class ZetaBar(QStyledItemDelegate):
         """The cell, then the bar at its lower edge."""
         super().paint(painter, option, index)
         bar = index.data(Qt.ItemDataRole.UserRole)
-        if not isinstance(bar, Bar):
+        if not isinstance(bar, ZetaMark):
             return
         inside = QRectF(option.rect).adjusted(4.0, 0.0, -4.0, -3.0)
-        per_zeta = inside.width() / (BAR_END * bar.target)
-        wide = min(bar.zeta * per_zeta, inside.width())
+        per_unit = inside.width() / (BAR_END * bar.target)
+        wide = min(bar.size * per_unit, inside.width())
         top = inside.bottom() - BAR_HEIGHT
         painter.fillRect(QRectF(inside.left(), top, inside.width(), BAR_HEIGHT), QColor(theme.current.grid))
         painter.fillRect(QRectF(inside.left(), top, wide, BAR_HEIGHT), QColor(bar.shade))
-        line = inside.left() + bar.target * per_zeta
+        line = inside.left() + bar.target * per_unit
         painter.fillRect(QRectF(line - 1.0, top - 2.0, 2.0, BAR_HEIGHT + 4.0), QColor(theme.current.ink))
 
     def sizeHint(self, option, index) -> QSize:
@@ -136,6 +136,10 @@ class WallsTab(ResultTab):
             ],
         )
         self.table.setItemDelegateForColumn(ZETA, ZetaBar(self.table))
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """The table beside the key plan, pairs below it, what is to be done at the foot."""
         self.table.cellDoubleClicked.connect(lambda row, _: self._picked(row))
         self.table.cellClicked.connect(lambda row, column: self._picked(row) if column == 0 else None)
         self.table.setToolTip(tr("Click the name of a wall to open it, a column title to sort."))
@@ -224,12 +228,12 @@ class WallsTab(ResultTab):
 
     def _show_action(self, result: StudyResult) -> None:
         """What is to be done for most walls, with the walls it is of, and how much else there is."""
-        found = actions_of(result, [answer.verdict for answer in answers_worst_first(result)])
+        found = collect_actions(result, [answer.verdict for answer in answers_worst_first(result)])
         self.to_do.setVisible(bool(found))
         if not found:
             return
         first = next(action for action, walls in found.items() if len(walls) == len(max(found.values(), key=len)))
-        words = html.escape(in_form(first).text(self.language, names_in(self.language)), quote=False)
+        words = html.escape(say_in_window(first).text(self.language, names_in(self.language)), quote=False)
         names = ", ".join(link(str(each.governing), html.escape(wall_title(each.title))) for each in found[first])
         left = len(found) - 1
         more = [tr("and {n} more, at its wall", n=left)] if left else []
@@ -243,7 +247,7 @@ class WallsTab(ResultTab):
             assessment = result.walls[k].assessment
             if assessment is not None and (item := self.table.item(row, ZETA)) is not None:
                 shade = verdict_color(result, result.walls[k])
-                item.setData(Qt.ItemDataRole.UserRole, Bar(assessment.verdict.zeta_e or 0.0, target, shade))
+                item.setData(Qt.ItemDataRole.UserRole, ZetaMark(assessment.verdict.zeta_e or 0.0, target, shade))
 
     def _show_plan(self, result: StudyResult) -> None:
         """The key plan, where walls have a place in one."""

@@ -123,7 +123,7 @@ def run_shown_first(wall: WallResult) -> int:
     return next(places, 0)
 
 
-def actions_of(result: StudyResult, ordered: Iterable[WallVerdict]) -> dict[Sentence, list[WallVerdict]]:
+def collect_actions(result: StudyResult, ordered: Iterable[WallVerdict]) -> dict[Sentence, list[WallVerdict]]:
     """What is to be done, each sentence once with the walls it is of: of a wall that of all that decides as it does."""
     walls: dict[Sentence, list[WallVerdict]] = {}
     for verdict in ordered:

@@ -422,5 +422,5 @@ def find_mechanism(wall: Wall, walls: Iterable[Wall]) -> str:
 def _named(hold: Hold) -> tuple[str, str | None, str]:
     """Kind of a hold, kind of the document that shows it, and what the engineer says of both."""
     shown = hold.evidence
-    said = (hold.name, *((shown.reference, shown.note) if shown else ()))
-    return hold.kind, shown.kind if shown else None, ", ".join(filter(None, said))
+    names = (hold.name, *((shown.reference, shown.note) if shown else ()))
+    return hold.kind, shown.kind if shown else None, ", ".join(filter(None, names))

@@ -37,7 +37,7 @@ def sentence_of(wall: WallResult, language: str) -> str:
     )
 
 
-def headline_of(wall: WallResult, language: str) -> str:
+def write_headline(wall: WallResult, language: str) -> str:
     """What decides about a wall in one line, beside its outcome; of one that passes with what that rests on."""
     verdict = wall.required_assessment.verdict
     values = dict(verdict.values)

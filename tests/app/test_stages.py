@@ -41,7 +41,7 @@ def test_that_a_run_leads_to_the_answer_and_the_tree_says_zeta(opened, applicati
     # what is to be done is in sight; what limits the verdict, and notes, are behind their numbers
     verdict = opened.session.result.walls[0].assessment.verdict
     shown = content.to_do.words.text()
-    assert verdict.to_do and all(html.escape(said.text("en").split(" (")[0]) in shown for said in verdict.to_do)
+    assert verdict.to_do and all(html.escape(action.text("en").split(" (")[0]) in shown for action in verdict.to_do)
     labels = [fact.label for fact in content.drawer.facts]
     limits = content.drawer.facts[labels.index("Limits")]
     assert len(limits.lines) >= len(verdict.limits) and limits.value == str(len(limits.lines))

@@ -4,7 +4,7 @@ wall on two pages with what decides about it, what the engineer confirms. All el
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from core.answer.answer import Answer, actions_of
+from core.answer.answer import Answer, collect_actions
 from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, format_value
 from core.codes.outcomes import FAILS, OUTCOMES
 from core.report import assumption_table
@@ -134,7 +134,7 @@ def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) ->
     """What the designer does next: each sentence once, with the walls it is of."""
     rows = [  # with the keys of a file
         (", ".join(verdict.title for verdict in walls), action.text(words.language))
-        for action, walls in actions_of(result, ordered).items()
+        for action, walls in collect_actions(result, ordered).items()
     ]
     if not rows:
         return []
