@@ -36,8 +36,8 @@ def sought(height, **bar):
 
 
 def aside(mechanism, **heights):
-    """A mechanism that is set aside by a survey; heights : from_m, to_m."""
-    return {"mechanism": mechanism, **heights, "evidence": {"kind": "survey", "reference": "sheet 9"}}
+    """A mechanism that is set aside by a calculation; heights : from_m, to_m."""
+    return {"mechanism": mechanism, **heights, "evidence": {"kind": "calculation", "reference": "sheet 9"}}
 
 
 def shown(**references):

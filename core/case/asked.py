@@ -11,9 +11,9 @@ WALL, DEMAND, HOLD = "wall", "demand", "hold"
 EVIDENCE_TABLES = {WALL: "[[wall.evidence]]", DEMAND: "[[demand.evidence]]", HOLD: "[[wall.hold]]"}
 """Section -> the table of a case its evidence stands in; of a tie it is a key of the tie."""
 
-SEEN, MEASURED, STATED = "seen", "measured", "stated"
-"""What a document has to be: one that shows that a thing is there, one that shows a number, one that states what is
-asked of a wall."""
+SEEN, MEASURED, TESTED, STATED, ORDERED = "seen", "measured", "tested", "stated", "ordered"
+"""What a document has to be: one that shows that a thing is there, one that shows what is measured on it, one that
+shows a property that no drawing has, one that states what is asked of a wall, one with which others decide that."""
 
 
 class AskedInput(NamedTuple):
@@ -32,9 +32,9 @@ class AskedInput(NamedTuple):
 
 
 ASKED = {
-    "lift_velocity_ratio": AskedInput("C8.7.1.2.1.9", WALL, ("velocity_ratio", "restitution"), MEASURED),
-    "lift_law": AskedInput("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
-    "lift_rigid": AskedInput("C8.7.1.2.1.3", WALL, ("law",), MEASURED),
+    "lift_velocity_ratio": AskedInput("C8.7.1.2.1.9", WALL, ("velocity_ratio", "restitution"), TESTED),
+    "lift_law": AskedInput("C8.7.1.2.1.3", WALL, ("law",), TESTED),
+    "lift_rigid": AskedInput("C8.7.1.2.1.3", WALL, ("law",), TESTED),
     "lift_return_walls": AskedInput("C8.7.1.2.1.1", WALL, ("return_walls",)),
     "lift_elongation": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
     "lift_brittle": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
@@ -42,37 +42,37 @@ ASKED = {
     "lift_anchorage": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
     "lift_prestress": AskedInput("C8.7.1.2.1.1", HOLD, ("evidence",), MEASURED),
     "lift_bends_inward": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
-    "lift_inward": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
+    "lift_inward": AskedInput("C8.7.1.2.1.1", WALL, ("inward",), MEASURED),
     "lift_carried": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
-    "lift_variable": AskedInput("NTC 2018 2.5.3", WALL, ("load",)),
+    "lift_variable": AskedInput("NTC 2018 2.5.3", WALL, ("variable",), STATED),
     "lift_low_load": AskedInput("C8.7.1.2.1.1", WALL, ("h_m",)),
     "lift_mass": AskedInput("C8.7.1.2.1.1", WALL, ("mass",)),
     "lift_corner": AskedInput("C8.7.1.2.1.1", WALL, ("corner",)),
-    "lift_return_wedges": AskedInput("C8.7.1.2.1.1", WALL, ("return_wedges",)),
+    "lift_return_wedges": AskedInput("C8.7.1.2.1.1", WALL, ("return_wedges",), MEASURED),
     "lift_contact": AskedInput("C8.7.1.2.1.1", WALL, ("contact",)),
     "lift_inertia": AskedInput("C8.7.1.2.1.1", WALL, ("inertia_over_mass_m2",), MEASURED),
-    "lift_solid_weight": AskedInput("C8.5.3", WALL, ("unit_weight_kn_m3",), MEASURED),
+    "lift_solid_weight": AskedInput("C8.5.3", WALL, ("unit_weight_kn_m3",), TESTED),
     "lift_edge": AskedInput("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
     "lift_edge_of_body": AskedInput("C8.7.1.2.1.3", "", ("hinge_setback_m",)),
-    "lift_unit_weight": AskedInput("C8.5.3", WALL, ("unit_weight_kn_m3",), MEASURED),
-    "lift_strength": AskedInput("C8.5.3", WALL, ("compressive_strength_mpa",), MEASURED),
-    "lift_modulus": AskedInput("C8.5.3", WALL, ("elastic_modulus_mpa",), MEASURED),
-    "lift_confidence_factor": AskedInput("C8.5.4", DEMAND, ("confidence_factor",), MEASURED),
-    "lift_q_code": AskedInput("C8.7.1.2.1.7", DEMAND, ("q_code",), STATED),
+    "lift_unit_weight": AskedInput("C8.5.3", WALL, ("unit_weight_kn_m3",), TESTED),
+    "lift_strength": AskedInput("C8.5.3", WALL, ("compressive_strength_mpa",), TESTED),
+    "lift_modulus": AskedInput("C8.5.3", WALL, ("elastic_modulus_mpa",), TESTED),
+    "lift_confidence_factor": AskedInput("C8.5.4", DEMAND, ("confidence_factor",), TESTED),
+    "lift_q_code": AskedInput("C8.7.1.2.1.7", DEMAND, ("q_code",), TESTED),
     "lift_limit_state": AskedInput("C8.3", DEMAND, ("limit_state",), STATED),
-    "lift_zeta_target": AskedInput("NTC 2018 8.4.2", DEMAND, ("zeta_target",), STATED),
-    "lift_soil_factor": AskedInput("NTC 2018 3.2.3.2", DEMAND, ("soil_factor",), MEASURED),
+    "lift_zeta_target": AskedInput("NTC 2018 8.4.2", DEMAND, ("zeta_target",), ORDERED),
+    "lift_soil_factor": AskedInput("NTC 2018 3.2.3.2", DEMAND, ("soil_factor",), TESTED),
     "lift_life": AskedInput("NTC 2018 2.4", DEMAND, ("nominal_life_years",), STATED),
-    "lift_outside_italy": AskedInput("NTC 2018 3.2", DEMAND, ("f0", "tc_star_s"), MEASURED),
+    "lift_outside_italy": AskedInput("NTC 2018 3.2", DEMAND, ("f0", "tc_star_s"), TESTED),
     "lift_spectrum": AskedInput("NTC 2018 3.2.3.2", DEMAND, ("spectrum",), STATED),
     "lift_annex": AskedInput("EN 1998-1 3.2.2.2", DEMAND, ("spectrum",), STATED),
     "lift_type": AskedInput("EN 1998-1 3.2.2.2", DEMAND, ("spectrum",), STATED),
     "lift_scatter": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
     "lift_alike": AskedInput("NTC 2018 3.2.3.6", DEMAND, ("scatter",), STATED),
-    "other_building": AskedInput("C8.7.1.2.1.4", DEMAND, ("building",), MEASURED),
-    "lift_period": AskedInput("C7.2.3", DEMAND, ("period_s",), MEASURED),
-    "lift_modes": AskedInput("C7.2.3", DEMAND, ("participation",), MEASURED),
-    "lift_participation": AskedInput("C7.2.3", DEMAND, ("participation",), MEASURED),
+    "other_building": AskedInput("C8.7.1.2.1.4", DEMAND, ("building",), TESTED),
+    "lift_period": AskedInput("C7.2.3", DEMAND, ("period_s",), TESTED),
+    "lift_modes": AskedInput("C7.2.3", DEMAND, ("participation",), TESTED),
+    "lift_participation": AskedInput("C7.2.3", DEMAND, ("participation",), TESTED),
 }
 """Code of an input that raises zeta -> what asks for it."""
 

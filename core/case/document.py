@@ -19,7 +19,9 @@ asked: a study or a publication, an act of the client or of an authority."""
 KINDS_THAT_SHOW = {
     asked.SEEN: (*PRESENCE, *STRENGTH, "study"),
     asked.MEASURED: (*STRENGTH, "study"),
+    asked.TESTED: ("test", "calculation", "study"),
     asked.STATED: ("calculation", *STATED),
+    asked.ORDERED: STATED,
 }
 """What a document has to be -> its kinds."""
 

@@ -6,12 +6,20 @@ from dataclasses import dataclass
 from core.case.document import Document, is_named
 from core.case.keys import choice_key, key, number_key
 from core.errors import InputError
+from core.text.sentence import sentence
 
 OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING = "overturning", "vertical_bending", "horizontal_bending"
 CORNER, LEAF, PART_ABOVE, DIRECTION = "corner", "leaf", "part_above", "direction"
 
 ROWS = (OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING, CORNER, LEAF, PART_ABOVE, DIRECTION)
 """Mechanisms out of plane that a wall may have (Circolare 7/2019 C8.7.1.2.1.1): none is without a row."""
+
+FOUND = OVERTURNING, VERTICAL_BENDING, HORIZONTAL_BENDING, PART_ABOVE
+"""Mechanisms of which a document of what is there says nothing: that they need not be looked at is calculated or
+tested."""
+
+SHOWN_BY = "test", "calculation"
+"""Kinds of documents that show of one of FOUND that it need not be looked at."""
 
 NEAR = 0.01
 """Heights that differ by less are one [m]."""
@@ -46,6 +54,9 @@ def check_set_aside(entry: SetAside, height: float | None, here) -> None:
         raise InputError("set_aside_evidence", place=here, key="evidence")
     if not is_named(entry.evidence.reference):
         raise InputError("set_aside_reference", place=here, key="reference")
+    if entry.mechanism in FOUND and entry.evidence.kind not in SHOWN_BY:
+        found = {"found": entry.evidence.kind, "mechanism": sentence("mechanism", entry.mechanism), "kinds": SHOWN_BY}
+        raise InputError("set_aside_kind", place=here, key="kind", **found)
     most = math.inf if height is None else height + NEAR
     for name, found, least in (("from_m", entry.from_m, 0.0), ("to_m", entry.to_m, entry.from_m or 0.0)):
         if found is not None and not least <= found <= most:

@@ -211,6 +211,14 @@ AT_COORDINATES = 0.05
 are typed with few digits, and other programs take other ellipsoids."""
 
 
+def has_hazard_at(asked: Demand, years: float) -> bool:
+    """Whether a_g was compared with a hazard at this return period [years]: of the case, or of the national grid at its
+    coordinates."""
+    if asked.hazard and hazard_covers(asked.hazard, years):
+        return True
+    return bool(asked.coordinates.strip()) and _find_hazard(*parse_coordinates(asked.coordinates)) is not None
+
+
 def check_coordinates(asked: Demand) -> None:
     """Raise InputError where the demand is below that of the national grid at its coordinates, where these are no
     coordinates, and where they are of the grid in the other order. a_g is compared at the return period, without one

@@ -20,7 +20,7 @@ from core.codes.spectrum_codes import CODES, EUROPEAN, NATIONAL
 from core.codes.target_spectrum import housner_intensity
 from core.errors import InputError
 from core.setting.check_input import CheckInput
-from core.setting.demand_input import hazard_covers, interpolate_hazard, read_target_spectrum, rescale_ag
+from core.setting.demand_input import has_hazard_at, hazard_covers, interpolate_hazard, read_target_spectrum, rescale_ag
 from core.setting.floors import damaged_period_and_damping, period_and_damping_bounds
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
@@ -42,7 +42,7 @@ def favourable_demand(scene: CheckInput) -> Iterator[FavourableInput]:
     demand, asked = scene.demand, scene.asked
     reasons = asked.evidence
     if demand.limit_state == "SLC":
-        if demand.return_period is not None:
+        if demand.return_period is not None and has_hazard_at(asked, demand.return_period):
             reasons += (DemandEvidence("calculation", f"T_R {demand.return_period:.0f}", of="limit_state"),)
         end = Alternative(demand_change(limit_state="SLV"), "SLV")
         yield single_alternative("limit_state", "lift_limit_state", reasons, "SLC", end)
@@ -86,7 +86,7 @@ def _of_the_spectrum(scene: CheckInput) -> Iterator[FavourableInput]:
                 there = _with_spectrum(demand, asked, replace(spectrum, **worst))
                 said = {"name": Key(key), "given": given, "least": least, "most": most}
                 yield single_alternative(key, "lift_outside_italy", reasons, given, _under(there, most), **said)
-    elif demand.target is not None and (row := _row_of(demand, asked)) is not None:
+    elif demand.target is not None and (row := _row_of(demand, asked) or _widest_row(asked)) is not None:
         soils = (spectrum.soil,) if spectrum else SOILS
         given = CODES[spectrum.code].name if spectrum else asked.spectrum_file or ""
         ends = []
@@ -135,6 +135,15 @@ def _row_of(demand: SeismicDemand, asked: Demand) -> HazardRow | None:
         return None
     row = interpolate_hazard(asked.hazard, years)
     return None if row.f0 is None or row.tc_star_s is None else row
+
+
+def _widest_row(asked: Demand) -> HazardRow | None:
+    """The largest F_0 and T_C* of Italy, beside which the spectrum of a file stands whose place nobody tells; None of
+    the spectrum of a code."""
+    if asked.spectrum is not None or asked.spectrum_file is None:
+        return None
+    (_, f0), (_, tc_star) = national_range()
+    return HazardRow(0.0, 0.0, f0, tc_star)
 
 
 def _with_spectrum(demand: SeismicDemand, asked: Demand, spectrum: Spectrum) -> SeismicDemand:

@@ -12,7 +12,7 @@ from core.study.register import make_register
 from core.study.run import run
 from tests.holds import behind
 
-SHOWN = {"kind": "survey", "reference": "sheet 4", "note": "courses toothed over the whole height"}
+SHOWN = {"kind": "calculation", "reference": "sheet 4", "note": "courses toothed over the whole height"}
 FLOORS = [{"kind": "vertical", "kn_m": 3.0, "d_m": 0.3, "h_m": height, "mass": "none"} for height in (3.0, 4.0)]
 WALL = {"name": "w", "mechanism": "one_sided", "height_m": 6.0, "thickness_m": 0.6, "unit_weight_kn_m3": 18.0}
 WALL |= {"base_z_m": 0.0, "hold": behind(to_m=6.0), "hinge_heights": "base", "load": FLOORS}
@@ -67,6 +67,8 @@ def test_that_what_is_set_aside_has_its_row_with_its_document():
         (entry_of("overturning", None), "set_aside_evidence", "evidence"),
         (entry_of("overturning", {"kind": "survey"}), "set_aside_reference", "reference"),
         (entry_of("overturning", {"kind": "survey", "reference": "  "}), "set_aside_reference", "reference"),
+        (entry_of("overturning", {"kind": "photograph", "reference": "f1"}), "set_aside_kind", "kind"),
+        (entry_of("vertical_bending", {"kind": "survey", "reference": "R1"}), "set_aside_kind", "kind"),
         (entry_of("overturning", from_m=3.0, to_m=2.0), "set_aside_heights", "to_m"),
         (entry_of("overturning", from_m=6.5), "set_aside_heights", "from_m"),
         (entry_of("overturning", to_m=6.5), "set_aside_heights", "to_m"),

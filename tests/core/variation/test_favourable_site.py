@@ -3,12 +3,17 @@
 import pytest
 
 from core.codes.kinematic import Check
+from core.study.run import run
 from core.units import G
 from core.variation.favourable_site import favourable_building, favourable_demand
+from tests.clauses_alone import parse_case
 from tests.core.variation.one_evaluation import NTC, SOIL, WALL, scene_of
 from tests.holds import shown
 
 CHECK = Check("nonlinear", "C8.7.1.2.1.8", "m", 0.1, 0.1, 1.0, True)
+
+
+AT_975 = [{"return_period_years": 475.0, "ag_g": 0.075}, {"return_period_years": 975.0, "ag_g": 0.1}]
 
 
 def rows_of(demand, wall=WALL):
@@ -34,18 +39,20 @@ def values(row, zetas):
     "years, reasons, reason",
     [
         ({}, {}, ""),
-        ({"return_period_years": 975.0}, {}, "T_R 975"),
-        ({"nominal_life_years": 50.0, "use_class_factor": 1.0}, {}, "T_R 975"),
+        ({"return_period_years": 975.0}, {}, ""),
+        ({"return_period_years": 975.0, "hazard": AT_975}, {}, "T_R 975"),
+        ({"nominal_life_years": 50.0, "use_class_factor": 1.0, "hazard": AT_975}, {}, "T_R 975"),
+        ({"nominal_life_years": 50.0, "use_class_factor": 1.0}, {}, ""),
         (
             {"return_period_years": 975.0},
             {"limit_state": "works for SLC, report 12/2024"},
             "works for SLC, report 12/2024",
         ),
         ({}, {"limit_state": "works for SLC, report 12/2024"}, "works for SLC, report 12/2024"),
-        ({"return_period_years": 975.0}, {"soil_factor": "downhole test, report 3/2023"}, "T_R 975"),
+        ({"return_period_years": 975.0}, {"soil_factor": "downhole test, report 3/2023"}, ""),
     ],
 )
-def test_that_slc_is_founded_by_its_return_period_or_by_the_words_of_the_engineer(years, reasons, reason):
+def test_that_slc_is_founded_by_the_hazard_at_its_return_period_or_by_the_words_of_the_engineer(years, reasons, reason):
     """P_VR 5 % in 50 years: T_R 975."""
     rows, scene = rows_of(SOIL | {"limit_state": "SLC", **years, **({"evidence": shown(**reasons)} if reasons else {})})
     row = rows["limit_state"]
@@ -264,3 +271,20 @@ def test_that_several_modes_are_shown_as_the_first_alone(share):
     (there,) = buildings(rows["participation"], scene)
     assert [mode.participation for mode in there.modes] == pytest.approx([max(share, 3.0 / 7.0)])
     assert rows["participation"].phrase([0.8], None).code == "lift_modes"
+
+
+@pytest.mark.shows("verdict.asked")
+def test_that_the_spectrum_of_a_file_of_no_known_place_is_asked_about(tmp_path):
+    """It falls with the square of the period from 0.15 s on, so that its displacement stays 3 mm: beside it stand
+    those of NTC 2018 with the largest F_0 and T_C* of Italy."""
+    periods = [0.02 * k for k in range(1, 201)]
+    lines = [f"{t:.2f} {0.3 + 0.39 * min(t, 0.1) / 0.1 if t < 0.15 else 0.69 * (0.15 / t) ** 2:.6f}" for t in periods]
+    (tmp_path / "sp.txt").write_text("T[s] Sa[g]\n" + "\n".join(lines), encoding="utf-8")
+    demand = {"ag_g": 0.25, "soil_factor": 1.2, "spectrum_file": str(tmp_path / "sp.txt")}
+    wall = {"name": "w", "height_m": 7.0, "thickness_m": 0.3, "base_z_m": 0.0, "mechanism": "one_sided"}
+    wall |= {"hold": [{"kind": "contact", "to_m": 7.0, "evidence": {"kind": "survey", "reference": "R1"}}]}
+    table = {"wall": [wall], "demand": demand, "analysis": {"histories": False}}
+    found = run(parse_case(table), base_dir=tmp_path).walls[0].assessment.verdict
+    assert found.code == "indicative" and "spectrum" in {row.key for row in found.assumptions if row.turns}
+    table["demand"] = demand | {"evidence": shown(spectrum="site study, 3/2024")}
+    assert run(parse_case(table), base_dir=tmp_path).walls[0].assessment.verdict.code == "verified_refined"

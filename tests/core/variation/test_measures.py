@@ -182,6 +182,6 @@ def test_that_a_measure_says_which_mechanisms_are_to_be_looked_at_with_it(sought
     (measure, *_) = find_measures(context_of(case_of(apart, 0.2)))
     assert measure.to_look_at == ("horizontal_bending",)
     assert measure.words.text("en").endswith("once these are looked at too: horizontal bending.")
-    aside = {"mechanism": "horizontal_bending", "evidence": {"kind": "survey", "reference": "S1"}}
+    aside = {"mechanism": "horizontal_bending", "evidence": {"kind": "calculation", "reference": "S1"}}
     (measure, *_) = find_measures(context_of(case_of(apart | {"set_aside": [aside]}, 0.2)))
     assert measure.to_look_at == ()

@@ -8,6 +8,7 @@ import pytest
 from core.case import rules
 from core.case.asked import ASKED, NOT_ASKED
 from core.case.asked import WALL as WALL_SECTION
+from core.case.document import kinds_that_show
 from core.codes.assumption import ALL_TOGETHER_KEY
 from core.codes.kinematic import ZETA_ROUNDING
 from core.codes.masonry_types import least_strength
@@ -174,7 +175,8 @@ def settled(table, result):
             asked = [one for one in ASKED.values() if row.key in one.keys or row.key in OF_TIES]
             if not (row.turns and row.open) or row.key == ALL_TOGETHER_KEY or not asked:
                 continue
-            document = {"kind": "calculation", "reference": "C-04"}
+            kinds = kinds_that_show(asked[0].section, asked[0].shown_by) if asked[0].section else ("calculation",)
+            document = {"kind": next(kind for kind in ("calculation", "study") if kind in kinds), "reference": "C-04"}
             if row.key in OF_TIES:
                 holds = [hold | ({"evidence": document} if hold["kind"] == "tie" else {}) for hold in wall["hold"]]
                 wall["hold"] = holds
