@@ -30,7 +30,7 @@ from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
 from app.views.zeta_rungs import digits, rung_of
-from core.answer.answer import ordered_runs
+from core.answer.answer import find_questions, ordered_runs
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
 from core.codes.assumption import Assumption
@@ -40,7 +40,7 @@ from core.known import require_value
 from core.report.register_words import not_possible, reactions_line
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
-from core.report.verdict_words import lines_of, sentence_of, tone_of, write_headline
+from core.report.verdict_words import lines_of, names_in, sentence_of, tone_of, write_headline
 from core.study.results import Q_SOURCES, StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import localized, word
@@ -196,8 +196,9 @@ class CheckTab(ResultTab):
         self.sentence.setText(wall_title(write_headline(wall, self.language)))
         self.sentence.setToolTip(escape_html(wall_title(sentence_of(wall, self.language))))
         limits = verdict_limitations(result, wall, self.language, self._warnings(result, wall), alone=True)
-        asked = [html.escape(warning.text(self.language), quote=False) for warning in demand.warnings] if demand else []
-        self.to_do.show_actions(result, wall, self.language, [*blocking_lines(wall, limits), *asked])
+        questions = [*(find_questions(result, decided) if decided else ()), *(demand.warnings if demand else ())]
+        questions = [html.escape(line.text(self.language, names_in(self.language)), quote=False) for line in questions]
+        self.to_do.show_actions(result, wall, self.language, [*blocking_lines(wall, limits), *questions])
         self.cost.show_row(costliest(verdict.assumptions), verdict.zeta_e, self.language)
         self.drawer.show_facts(self._facts(result, wall, limits))
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from core.case.plausible import QUESTIONS
 from core.case.register import row_of_part
 from core.case.wall import Wall
 from core.codes.dynamic_check import DemandRun, DynamicCheck
@@ -130,9 +131,17 @@ def collect_actions(result: StudyResult, ordered: Iterable[WallVerdict]) -> dict
         decides = result.walls[verdict.governing].assessment
         found = [assessment.verdict for k in verdict.results if (assessment := result.walls[k].assessment) is not None]
         same = [each for each in found if decides is not None and each.code == decides.verdict.code]
-        for action in dict.fromkeys(line for each in same for line in each.to_do):
+        actions = [*(line for each in same for line in each.to_do), *find_questions(result, verdict)]
+        for action in dict.fromkeys(actions):
             walls.setdefault(action, []).append(verdict)
     return walls
+
+
+def find_questions(result: StudyResult, verdict: WallVerdict) -> tuple[Sentence, ...]:
+    """What is asked of the values of a wall that are seldom so, whatever its outcome."""
+    assessment = result.walls[verdict.governing].assessment
+    lines = (*(assessment.verdict.limits if assessment else ()), *verdict.extra)
+    return tuple(dict.fromkeys(line for line in lines if line.code in QUESTIONS))
 
 
 def zeta_range(walls: Iterable[WallResult]) -> tuple[float | None, float | None]:

@@ -23,6 +23,10 @@ MOST_LEAF = 0.75
 """Thickness of the outer leaf over that of its wall [-]: an inner one stands behind it."""
 
 
+QUESTIONS = "odd_floor", "odd_load", "odd_place", "odd_sizes", "odd_leaf", "straightened", "odd_storeys"
+"""Codes of what is asked, of the storeys of a building among them."""
+
+
 def plausibility_questions(wall: Wall, building: Building | None, others: tuple[Wall, ...]) -> Iterator[Sentence]:
     """What is asked of a wall, of the floors that bear on it, and of its design beside the wall as it is.
 

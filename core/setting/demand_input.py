@@ -211,12 +211,12 @@ AT_COORDINATES = 0.05
 are typed with few digits, and other programs take other ellipsoids."""
 
 
-def has_hazard_at(asked: Demand, years: float) -> bool:
+def has_hazard_at(demand: Demand, years: float) -> bool:
     """Whether a_g was compared with a hazard at this return period [years]: of the case, or of the national grid at its
     coordinates."""
-    if asked.hazard and hazard_covers(asked.hazard, years):
+    if demand.hazard and hazard_covers(demand.hazard, years):
         return True
-    return bool(asked.coordinates.strip()) and _find_hazard(*parse_coordinates(asked.coordinates)) is not None
+    return bool(demand.coordinates.strip()) and _find_hazard(*parse_coordinates(demand.coordinates)) is not None
 
 
 def check_coordinates(asked: Demand) -> None:

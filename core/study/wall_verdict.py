@@ -7,7 +7,7 @@ from core.case.schema import Case
 from core.case.set_aside import OVERTURNING
 from core.case.site import Demand
 from core.case.wall import Wall
-from core.codes.assumption import ALL_TOGETHER_KEY, Assumption, sort_assumptions
+from core.codes.assumption import ALL_TOGETHER_KEY, ARCH, RESTRAINT, Assumption, sort_assumptions
 from core.codes.kinematic import Check
 from core.codes.outcomes import FAILS, NO_HAZARD, OUTCOMES, PASSES, min_if_all_known, way_key, worst_outcome
 from core.codes.outcomes import severity_key as severity_of
@@ -44,10 +44,32 @@ def wall_verdicts(case: Case, walls: tuple[WallResult, ...]) -> tuple[WallVerdic
         hidden = [note for note in case.table_notes if note.code in HIDDEN_CELL_NOTICES]
         extra = [*_lower_elsewhere(hinges), *_left_out(asked, case, walls, indices), *_other_states(demand, states)]
         extra += [*hidden, *plausibility_questions(asked, case.building, case.wall)]
+        extra += _also_rests_on(asked, hinges)
         zeta_least = min_if_all_known(wall.required_assessment.verdict.zeta_e for wall in hinges)
         withstands = risk_of_wall([wall.required_assessment.risk for wall in hinges])
         verdicts.append(WallVerdict(asked, ordered[0], tuple(ordered), states, tuple(extra), zeta_least, withstands))
     return tuple(verdicts)
+
+
+def _also_rests_on(wall: Wall, hinges: list[WallResult]) -> list[Sentence]:
+    """The documents without which a wall that passes would not, beyond those of the hinge that decides, and what is set
+    aside. hinges : worst first"""
+    verdicts = [hinge.required_assessment.verdict for hinge in hinges]
+    if OUTCOMES[verdicts[0].code].judgement != PASSES:
+        return []
+    own, *others = ({row.key: row for row in verdict.assumptions if row.turns and row.reason} for verdict in verdicts)
+    rows = {key: row for found in others for key, row in found.items() if key not in own and not row.permitted}
+    things = [
+        sentence("added", "shown_key", key=Key(key), document=row.reason)
+        for key, row in rows.items()
+        if key not in (RESTRAINT, ARCH)
+    ]
+    things += [
+        sentence("added", "set_aside", mechanism=sentence("mechanism", entry.mechanism), document=entry.evidence.words)
+        for entry in wall.set_aside
+        if entry.evidence is not None
+    ]
+    return [sentence("reason", "also_rests_on", things=tuple(dict.fromkeys(things)))] if things else []
 
 
 def _counted(walls: tuple[WallResult, ...], indices: list[int]) -> list[int]:

@@ -137,10 +137,10 @@ def _row_of(demand: SeismicDemand, asked: Demand) -> HazardRow | None:
     return None if row.f0 is None or row.tc_star_s is None else row
 
 
-def _widest_row(asked: Demand) -> HazardRow | None:
+def _widest_row(given: Demand) -> HazardRow | None:
     """The largest F_0 and T_C* of Italy, beside which the spectrum of a file stands whose place nobody tells; None of
     the spectrum of a code."""
-    if asked.spectrum is not None or asked.spectrum_file is None:
+    if given.spectrum is not None or given.spectrum_file is None:
         return None
     (_, f0), (_, tc_star) = national_range()
     return HazardRow(0.0, 0.0, f0, tc_star)

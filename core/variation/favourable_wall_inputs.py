@@ -182,7 +182,9 @@ def _of_the_edge(scene: CheckInput) -> Iterator[FavourableInput]:
         given, end = wall.hinge_setback_m, Alternative(there, least)
         said = {"given": 100.0 * given, "cm": cm, "f": weakest}
         code = "lift_edge" if wall.thickness is not None else "lift_edge_of_body"
-        yield single_alternative("hinge_setback_m", code, None, given, end, source, permitted=True, **said)
+        # the clause permits a hinge nearer to the edge, and no masonry that its weight crushes through
+        stands = wall.thickness is None or least < 0.5 * wall.thickness
+        yield single_alternative("hinge_setback_m", code, None, given, end, source, permitted=stands, **said)
     elif f > weakest:
         tested = scene.demand.confidence_factor < FULL_FACTOR  # then the strength is that of tests, as it must be
         shown = document_of(wall.evidence, "compressive_strength_mpa")

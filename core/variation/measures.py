@@ -23,7 +23,7 @@ from core.errors import InputError
 from core.known import require_value
 from core.setting.plan import FloorCache
 from core.text.sentence import Key, Number, Sentence, sentence
-from core.variation.assumptions import evaluate_assumptions
+from core.variation.assessment import assess_evaluation
 from core.variation.changes import rescale_thickness
 from core.variation.evaluate import FULL_PRECISION
 from core.variation.wall_evaluation import NO_EVALUATION, WallContext, WallEvaluation, evaluate_wall, replace_wall
@@ -205,10 +205,23 @@ def find_measure(setting: WallContext, kind: MeasureKind, cancelled: Callable[[]
     return None
 
 
+KEY_OF_ACTION = {
+    **dict.fromkeys(("to_evidence", "to_evidence_strength", "to_no_restraint", "to_no_top_restraint"), "hold"),
+    "to_no_soil_factor": "soil_factor",
+    "to_building": "[building]",
+}
+"""Code of what is to be done for a wall that passes its checks, but for a document -> what that is about."""
+
+
 def _find_unshown(by_clauses: WallEvaluation, cancelled: Callable[[], bool]) -> tuple[str, ...]:
-    """Keys whose other end turns a wall that passes by the clauses and that no document shows."""
-    rows = [row for hinge in by_clauses.hinges if hinge.satisfied for row in evaluate_assumptions(hinge, cancelled)]
-    return tuple(dict.fromkeys(row.key for row in rows if row.turns and row.open))
+    """Keys that are still to be given or shown of a wall that passes by the clauses."""
+    keys: list[str] = []
+    for hinge in by_clauses.hinges:
+        if hinge.satisfied:
+            verdict = assess_evaluation(hinge, cancelled).verdict
+            keys += [row.key for row in verdict.assumptions if row.turns and row.open]
+            keys += [KEY_OF_ACTION[action.code] for action in verdict.to_do if action.code in KEY_OF_ACTION]
+    return tuple(dict.fromkeys(keys))
 
 
 def _find_left_out(case: Case, wall: Wall) -> tuple[str, ...]:

@@ -1,10 +1,12 @@
 """One verdict for each wall: its worst hinge, its limit states, what was not checked."""
 
 from dataclasses import replace
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
+from core.answer.answer import collect_actions
 from core.case.rules import parse_case
 from core.report import json_report
 from core.study.run import run
@@ -152,3 +154,28 @@ def test_that_without_a_demand_there_is_no_verdict():
 def test_that_the_state_asked_for_is_the_verdict_itself(state):
     (entry,) = json_report.results(made(building=None, limit_state=state))["verdicts"]
     assert entry["states"][state]["code"] == entry["code"]
+
+
+@pytest.mark.shows("verdict.documents")
+def test_that_what_is_set_aside_and_what_is_seldom_so_are_said_with_an_outcome_that_passes():
+    """A hinge set aside by a calculation is what the outcome rests on too; a load of 1 500 kN/m is asked about in the
+    first place, and holds nothing back."""
+    load = {"kind": "vertical", "kn_m": 1500.0, "d_m": 0.3, "h_m": 6.0, "mass": "none"}
+    shown = {"kind": "calculation", "reference": "C-12"}
+    wall = {"name": "w", "height_m": 6.0, "thickness_m": 0.6, "base_z_m": 0.0, "length_m": 8.0}
+    wall |= {"unit_weight_kn_m3": 18.0, "hinge_heights": "base", "compressive_strength_mpa": 9.0}
+    wall |= {"hold": [{"kind": "contact", "to_m": 6.0, "evidence": {"kind": "survey", "reference": "R1"}}]}
+    wall |= {"load": [load], "set_aside": [{"mechanism": "overturning", "evidence": shown}]}
+    wall |= {"evidence": [{"of": "compressive_strength_mpa", "kind": "test", "reference": "T1"}]}
+    wall["evidence"] += [{"of": "mass", "kind": "survey", "reference": "R1"}]
+    demand = {
+        "ag_g": 0.05,
+        "spectrum": {"code": "NTC2018", "f0": 2.4, "tc_star_s": 0.33, "soil": "A", "topography": "T1"},
+    }
+    building = {"height_m": 6.0, "storeys": 2}
+    result = run(parse_case({"wall": [wall], "demand": demand, "building": building}), base_dir=Path())
+    (verdict,) = result.verdicts
+    codes = [line.code for line in verdict.extra]
+    assert "odd_load" in codes and "odd_load" in [action.code for action in collect_actions(result, [verdict])]
+    also = next(line for line in verdict.extra if line.code == "also_rests_on")
+    assert "overturning set aside (by a calculation: C-12)" in also.text("en")

@@ -273,7 +273,7 @@ def test_that_several_modes_are_shown_as_the_first_alone(share):
     assert rows["participation"].phrase([0.8], None).code == "lift_modes"
 
 
-@pytest.mark.shows("verdict.asked")
+@pytest.mark.shows("verdict.documents")
 def test_that_the_spectrum_of_a_file_of_no_known_place_is_asked_about(tmp_path):
     """It falls with the square of the period from 0.15 s on, so that its displacement stays 3 mm: beside it stand
     those of NTC 2018 with the largest F_0 and T_C* of Italy."""
