@@ -41,7 +41,6 @@ ASKED = {
     "lift_slack": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
     "lift_anchorage": AskedInput("C8.7.1.2.1.6", HOLD, ("evidence",), MEASURED),
     "lift_prestress": AskedInput("C8.7.1.2.1.1", HOLD, ("evidence",), MEASURED),
-    "lift_bends_inward": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
     "lift_inward": AskedInput("C8.7.1.2.1.1", WALL, ("inward",), MEASURED),
     "lift_carried": AskedInput("C8.7.1.2.1.1", WALL, ("load",)),
     "lift_variable": AskedInput("NTC 2018 2.5.3", WALL, ("variable",), STATED),

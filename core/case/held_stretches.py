@@ -11,9 +11,9 @@ from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge
 from core.case.held_top import mirror_inward
 from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.loads import Load
-from core.case.spans_between_ties import bears_stretch, cut_span, is_one_sheet, weight_above
+from core.case.spans_between_ties import bears_stretch, cut_span, is_backed, is_one_sheet, weight_above
 from core.case.wall import Wall
-from core.codes.vertical_bending import MIN_SLENDERNESS, lowest_hinge, mechanism
+from core.codes.vertical_bending import MIN_SLENDERNESS, lowest_hinge, start_multiplier
 from core.errors import InputError
 from core.known import require_value
 from core.units import G
@@ -105,10 +105,14 @@ def _place(stretches: list[HeldStretch]) -> tuple[float, float]:
 
 def _bent_inward(wall: Wall, stretches: list[HeldStretch]) -> Iterator[HeldStretch]:
     """A wall as it bends inward over anchors and ties that pull and stop nothing: between what is behind it."""
-    stops = [0.0, *(stretch.high for stretch in stretches if _is_stopped(wall, stretch.high))]
-    tops = {stretch.high: stretch.wall.hold[-1] for stretch in stretches}
-    for low, high in pairwise(stops):
-        if not any(stretch.low == low and stretch.high == high for stretch in stretches):
+    heights = {height: stretch.wall.hold[-1] for stretch in stretches if _is_stopped(wall, height := stretch.high)}
+    behind = {require_value(hold.h_m): hold for hold in wall.hold if hold.is_contact and hold.has_height}
+    apart = {height: hold for height, hold in behind.items() if all(abs(height - at) > SAME_HEIGHT for at in heights)}
+    tops = {height: hold for height, hold in (heights | apart).items() if height <= stretches[-1].high}
+    least = MIN_SLENDERNESS * require_value(wall.thickness)
+    for low, high in pairwise([0.0, *sorted(tops)]):
+        looked_at = any(stretch.low == low and stretch.high == high for stretch in stretches)
+        if not looked_at and high - low >= least and not is_backed(wall, low, high):
             span = mirror_inward(cut_span(wall, low, high, foot_stays=True))
             top = tops[high]  # it presses on what it leans on
             stands = math.inf if top.in_kn_m is None else top.in_kn_m
@@ -149,17 +153,17 @@ def _pushed_beside(top: Hold) -> float:
 
 
 def _start_of_bending(stretches: list[HeldStretch]) -> float:
-    """Least alpha_0 of some stretches [-]."""
+    """Least alpha_0 of some stretches [-]; none above 0 of one that its thrust bends without an earthquake."""
     strips = [strip_of(stretch.wall.in_si) for stretch in stretches]
-    return min(mechanism(strip, lowest_hinge(strip)).alpha0 for strip in strips)
+    return min(start_multiplier(strip, lowest_hinge(strip)) for strip in strips)
 
 
 def find_held_stretches(wall: Wall) -> list[HeldStretch]:
     """The stretches of a wall that is held by floors, or by ties at two heights, from its base to its highest hold. A
     hold between two of them is shared out in the proportion of the weights that hang on it from below and from above:
-    what both ask for is then within what it stands; a thrust at a hold, or above the highest, is taken first. Empty
-    where a thrust acts between two holds, nothing is behind the wall up to the highest, no stretch is slender enough to
-    bend, the stub above may fall, or the wall is not one sheet."""
+    what both ask for is then within what it stands; a thrust at a hold, or above the highest, is taken first, one
+    between two bends the stretch there. Empty where a pull inward acts between two holds, nothing is behind the wall up
+    to the highest, no stretch is slender enough to bend, the stub above may fall, or the wall is not one sheet."""
     taut = sorted(require_value(tie.h_m) for tie in wall.ties if not tie.slack_mm)
     held = (bool(taut) and taut[-1] - taut[0] > SAME_HEIGHT) or any(stands_outward(hold) for hold in wall.hold)
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
@@ -175,13 +179,12 @@ def refuse_uncounted_holds(wall: Wall, here) -> None:
     heights = [require_value(hold.h_m) for hold in _outward_holds(wall)]
     highest = max(heights)
 
-    def between(load: Load) -> bool:
-        at_hold = any(abs(load.h_m - height) <= SAME_HEIGHT for height in heights)
-        return load.is_thrust and load.h_m < highest and not at_hold
+    def pulls(load: Load) -> bool:
+        return load.is_thrust and load.h_m < highest and require_value(load.kn_m) < 0.0
 
     if wall.leans and not _is_stopped(wall, highest):
         raise InputError("hold_nothing_behind", place=here, key="out_kn_m", height=highest)
-    if load := next(filter(between, wall.load), None):
+    if load := next(filter(pulls, wall.load), None):
         raise InputError("hold_thrust_between", place=here, key="out_kn_m", height=load.h_m)
     if wall.leans and wall.height_m is not None and is_one_sheet(wall) and not _stands_above(wall, highest):
         raise InputError("hold_stub_falls", place=here, key="out_kn_m", height=highest)
@@ -212,6 +215,7 @@ def _share_levels(
     for n, ((low, high), stretch) in enumerate(zip(pairs, stretches, strict=True)):
         from_below, from_above = halves[n] + beside[n], sum(halves[n + 1 : n + 2])
         top = _share(levels[n], high - low, from_below / (from_below + from_above), beside[n])
+        top = replace(top, backed=is_backed(wall, low, high))
         if n == len(pairs) - 1:
             top = replace(top, rocking=above, stub=None if above else _stub_above(wall, high))
         foot: tuple[ShareOfHold, ...] = ()
@@ -225,15 +229,17 @@ def _share_levels(
 
 
 def _less_thrusts(wall: Wall, levels: list[Hold], pairs: list[tuple[float, float]]) -> list[Hold]:
-    """The holds less the thrusts they take first; none where one acts between two, or pulls inward."""
+    """The holds less the thrusts they take first; none where one pulls inward."""
     left = list(levels)
     for load in wall.load:
         if not load.is_thrust:
             continue
         n = next((n for n, (_, high) in enumerate(pairs) if abs(load.h_m - high) <= SAME_HEIGHT), None)
         n = len(pairs) - 1 if n is None and load.h_m > pairs[-1][1] else n
-        if n is None or require_value(load.kn_m) < 0.0:
+        if require_value(load.kn_m) < 0.0:
             return []
+        if n is None:  # between two
+            continue
         taken = require_value(load.kn_m) * max(1.0, _lever(load.h_m, *pairs[n]))
         left[n] = replace(left[n], out_kn_m=max(0.0, require_value(left[n].out_kn_m) - taken))
     return left

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from core.case.loads import Load
 from core.case.solids import Solid
 from core.case.wall import Wall
 from core.codes.vertical_bending import bending
@@ -52,9 +53,10 @@ def check_bends(wall: Wall) -> None:
 
 def mirror_inward(wall: Wall) -> Wall:
     """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
-    one; a step that keeps one face plumb keeps the other."""
+    one; a step that keeps one face plumb keeps the other. An outward thrust, which would hold it, is left out."""
     mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
-    loads = tuple(replace(load, d_m=require_value(wall.thickness) - require_value(load.d_m)) for load in wall.load)
+    across = require_value(wall.thickness)
+    loads = tuple(_as_inward(load, across) for load in wall.load if not load.pushes_outward)
     steps = tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps)
     return replace(
         wall,
@@ -62,6 +64,13 @@ def mirror_inward(wall: Wall) -> Wall:
         steps=steps,
         solid=tuple(_mirrored(solid, require_value(wall.thickness)) for solid in wall.solid),
     )
+
+
+def _as_inward(load: Load, across: float) -> Load:
+    """A load as it lies from the inner face: what pulls inward pushes there. across : thickness [m]"""
+    if not load.is_thrust:
+        return replace(load, d_m=across - require_value(load.d_m))
+    return replace(load, d_m=across - (load.d_m or 0.0), kn_m=-require_value(load.kn_m))
 
 
 def _mirrored(solid: Solid, thickness: float) -> Solid:

@@ -272,10 +272,12 @@ class ShareOfHold(Hold):
     """What a hold has for the stretch below it, or for the one above (h_m 0).
 
     beside_kn_m : weight whose inertia goes to it beside what the stretch hands to it, by the lever rule
+    backed : something is behind the stretch all along, which cannot bend inward
     rocking : what rocks above it, of the highest one; stub : what may fall there, too low to rock
     """
 
     beside_kn_m: float = 0.0
+    backed: bool = False
     rocking: masonry.PartAbove | None = None
     stub: masonry.StubAbove | None = None
 

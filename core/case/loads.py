@@ -52,6 +52,11 @@ class Load(OfLoadKind):
         """Whether its mass is moved by the wall: Q of C8.7.1.1, and part of the moving block."""
         return self.is_carried or self.mass in ("horizontal", "moving")
 
+    @property
+    def pushes_outward(self) -> bool:
+        """Whether it is a thrust outward."""
+        return self.is_thrust and (self.kn_m or 0.0) > 0.0
+
 
 @dataclass(frozen=True)
 class OwnWeight(Load):

@@ -12,10 +12,11 @@ from core.case.hold import TIE, ShareOfHold
 from core.case.loads import Load, OwnWeight
 from core.case.shape import cut_between
 from core.case.wall import Wall
-from core.codes.vertical_bending import MIN_SLENDERNESS, bending
+from core.codes.vertical_bending import MIN_SLENDERNESS, bending, lowest_hinge, start_multiplier
 from core.errors import InputError
 from core.known import require_value
 from core.units import G
+from core.wall.bending import strip_of
 from core.wall.body import cut_above, sum_bodies
 from core.wall.kinematics import BENDS
 from core.wall.solids import contact_at, faces_at, is_dragged
@@ -54,9 +55,23 @@ def _spans_from(wall: Wall, lows: Sequence[float], ties: Sequence[float]) -> tup
     pairs = tuple(
         (low, high) for high in ties for low in lows if high - low >= least and bears_stretch(wall, low, high)
     )
+    pairs = tuple(pair for pair in pairs if stands_between(wall, *pair) or not _has_tie_inside(wall, *pair))
     if not pairs or hinge_inside(wall.in_si) is not None:
         return pairs
     return tuple(pair for pair in pairs if _bends_first(wall, *pair))
+
+
+def stands_between(wall: Wall, low: float, high: float) -> bool:
+    """Whether a stretch of a wall stands on its two ends alone, without an earthquake, under its thrusts."""
+    if not any(load.is_thrust and low < load.h_m < high for load in wall.load):
+        return True
+    strip = strip_of(cut_span(wall, low, high).in_si)
+    return start_multiplier(strip, lowest_hinge(strip)) > 0.0
+
+
+def _has_tie_inside(wall: Wall, low: float, high: float) -> bool:
+    """Whether a tie holds a wall between two heights [m]."""
+    return any(low < require_value(tie.h_m) < high for tie in wall.ties)
 
 
 def _bends_first(wall: Wall, low: float, high: float) -> bool:
@@ -113,13 +128,16 @@ def leaves_stretches_out(wall: Wall) -> bool:
     least = MIN_SLENDERNESS * wall.thickness
     if not any(require_value(tie.h_m) >= least for tie in wall.ties):
         return False
-    return has_load_below_tie(wall) or wall.return_walls is not None or not is_one_sheet(wall)
+    if has_load_below_tie(wall) or wall.return_walls is not None or not is_one_sheet(wall):
+        return True
+    highest = max(require_value(tie.h_m) for tie in wall.ties)
+    return not stands_between(wall, 0.0, highest)  # it needs the ties between
 
 
 def has_load_below_tie(wall: Wall) -> bool:
     """Whether something acts below the highest tie of a wall that no stretch is looked at with, or a tie has slack."""
     highest = max((require_value(tie.h_m) for tie in wall.ties), default=0.0)
-    others = (load.h_m for load in wall.load if not load.rests)
+    others = (load.h_m for load in wall.load if not load.rests and not load.pushes_outward)
     return any(tie.slack_mm for tie in wall.ties) or any(height < highest for height in others)
 
 
@@ -188,6 +206,11 @@ def cut_span(wall: Wall, low: float, high: float, foot_stays: bool = False) -> W
         for load in wall.load
         if load.is_weight and load.h_m > low
     ]
+    loads += [
+        replace(load, d_m=min(max((load.d_m or 0.0) - outer, 0.0), thickness), h_m=load.h_m - low)
+        for load in wall.load
+        if load.is_thrust and low < load.h_m < high and not _is_tied(wall, load)
+    ]
     if weight > 0.0:
         on_top = OwnWeight(kind="vertical", kn_m=weight, d_m=depth, h_m=high, mass="none")
         loads.append(replace(on_top, d_m=inside(on_top) if wall.has_shape else depth, h_m=high - low))
@@ -210,8 +233,29 @@ def cut_span(wall: Wall, low: float, high: float, foot_stays: bool = False) -> W
         # what the ties stand is looked at where the stretch is chosen
         hold=(
             *([ShareOfHold(TIE, h_m=0.0, out_kn_m=math.inf)] if foot_stays or low in heights else []),
-            ShareOfHold(TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall)),
+            ShareOfHold(
+                TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall), backed=is_backed(wall, low, high)
+            ),
         ),
+    )
+
+
+AT_TIE = 0.05
+"""How near to a tie a thrust goes into it [m]."""
+
+
+def _is_tied(wall: Wall, load: Load) -> bool:
+    """Whether a tie takes a thrust where it acts."""
+    near = (tie for tie in wall.ties if abs(require_value(tie.h_m) - load.h_m) <= AT_TIE and not tie.slack_mm)
+    return sum(1e-3 * tie.tie(wall.length_m).bar.strength for tie in near) >= require_value(load.kn_m)
+
+
+def is_backed(wall: Wall, low: float, high: float) -> bool:
+    """Whether something is behind a wall all along between two heights [m]."""
+    along = (hold for hold in wall.hold if hold.is_contact and not hold.has_height)
+    return any(
+        (hold.from_m or 0.0) <= low + AT_TIE and high - AT_TIE <= (math.inf if hold.to_m is None else hold.to_m)
+        for hold in along
     )
 
 

@@ -69,11 +69,17 @@ def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
     return of_lower + [(one, rise + k * (at.between - one.x), h1 - k * (one.z - h1)) for one in upper]
 
 
+def work_of_thrusts(strip: Strip, h1: float) -> float:
+    """Work of the thrusts on a strip by a unit of theta at rest, its hinge at h1 [m] [N]."""
+    k = h1 / (strip.height - h1)
+    return math.fsum(push.force * (push.z if push.z <= h1 else h1 - k * (push.z - h1)) for push in strip.thrusts)
+
+
 def start_multiplier(strip: Strip, h1: float) -> float:
     """alpha_0 with the hinge at h1 [m] (C8.7.1.1) [-]: of a rectangle [W1 b/2 + W2 (b + k b/2) + sum N (b + k (t - u -
     d))] over (W1 + W2) h1/2, with k = h1/(H - h1) and b = t - 2 u."""
     weights = virtual(strip, h1)
-    holding = math.fsum(one.lifted * rise for one, rise, _ in weights)
+    holding = math.fsum(one.lifted * rise for one, rise, _ in weights) - work_of_thrusts(strip, h1)
     return holding / math.fsum(one.force * way for one, _, way in weights if one.pushed) - strip.pressed
 
 
@@ -92,7 +98,11 @@ def heights_of(strip: Strip, count: int) -> list[float]:
     """Heights among which a hinge is looked for [m], both blocks at least as high as thick: evenly, and just below and
     above those at which the wall changes or carries something."""
     low, high = strip.thickness, strip.height - strip.thickness
-    levels = [*(changes(strip.parts) if strip.parts else ()), *(load.z for load in strip.below)]
+    levels = [
+        *(changes(strip.parts) if strip.parts else ()),
+        *(load.z for load in strip.below),
+        *(push.z for push in strip.thrusts),
+    ]
     beside = (z + side for z in levels for side in (-STEP_OFFSET, 0.0, STEP_OFFSET))
     return sorted({*(low + (high - low) * n / count for n in range(count + 1)), *(z for z in beside if low < z < high)})
 
@@ -174,6 +184,7 @@ class Bending:
         is not in it."""
         at, weights = hinges_of(self.strip, self.h1), [one for block in blocks_of(self.strip, self.h1) for one in block]
         pushed = self.alpha0 * math.fsum(weight.force * weight.z for weight in weights if weight.pushed)
+        pushed += math.fsum(push.force * push.z for push in self.strip.thrusts)
         return (pushed - math.fsum(weight.force * (weight.x - at.base) for weight in weights)) / self.strip.height
 
     @property

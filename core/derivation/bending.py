@@ -7,7 +7,7 @@ searches it.
 
 import math
 
-from core.codes.vertical_bending import Bending, displaced_blocks, virtual
+from core.codes.vertical_bending import Bending, displaced_blocks, virtual, work_of_thrusts
 from core.derivation import body, checks
 from core.derivation.functions import arctan, cos, sin, sqrt
 from core.derivation.line import FULL, INPUT, LIVE, RUN, SYMBOLS, VALUE, Columns, Line, Section, Word
@@ -243,11 +243,10 @@ def geometry(wall: WallResult) -> Section:
     weight = 1e-3 * asked.in_si.weight
     shaped = bool(asked.parts)
     lines.append(Line(WEIGHT, weight, RUN, VALUE) if shaped else Line(body.w, weight, note=FULL))
-    if asked.load:
-        rows = [
-            (Word(f"choice_{load.kind}"), (require_value(load.kn_m), require_value(load.d_m))) for load in asked.load
-        ]
-        lines.append(Columns("Loads on the top, from the outer face", LOADS, ("kN/m", "m"), rows, INPUT))
+    if loads := wall.mechanics.wall.loads:
+        rows = [(Word(f"choice_{load.kind}"), (1e-3 * load.force, load.depth)) for load in loads]
+        faces = "Loads, from the face about which its base turns"
+        lines.append(Columns(faces, LOADS, ("kN/m", "m"), rows, INPUT))
     lines.append(Line(A_START, wall.model.threshold / G, RUN, VALUE))
     lines.append(Line(IMPACT_RATIO, wall.model.ratio_at_rest, RUN, VALUE))
     return Section("The wall, held at its top", lines)
@@ -288,7 +287,7 @@ def _of_blocks(mechanism: Bending) -> list[Line]:
     lines.append(Line(k, h1 / (mechanism.strip.height - h1), note=FULL))
     for weight, x, z, one in own:
         lines += [Line(weight, 1e-3 * one.force, RUN, VALUE), Line(x, one.x, RUN, VALUE), Line(z, one.z, RUN, VALUE)]
-    holding = 1e-3 * math.fsum(one.force * rise for one, rise, _ in of_loads)
+    holding = 1e-3 * (math.fsum(one.force * rise for one, rise, _ in of_loads) - work_of_thrusts(mechanism.strip, h1))
     pushing = 1e-3 * math.fsum(one.force * way for one, _, way in of_loads if one.pushed)
     of_own = [one for one in virtual(mechanism.strip, h1) if one[0] in (lower[0], upper[0])]
     return [

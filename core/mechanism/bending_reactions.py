@@ -23,7 +23,7 @@ class Points(NamedTuple):
     """Weights and masses of a block, each at a point; arrays of shape (n,).
 
     x, z : [m]; force : that does work as the block rises [N/m]; mass : that moves with it [kg/m]
-    own : inertia about its own centre [kg m]
+    own : inertia about its own centre [kg m]; thrust : that pushes it outward [N/m]
     """
 
     x: np.ndarray
@@ -31,6 +31,7 @@ class Points(NamedTuple):
     force: np.ndarray
     mass: np.ndarray
     own: np.ndarray
+    thrust: np.ndarray
 
 
 class Way(NamedTuple):
@@ -61,9 +62,13 @@ class MovingStrip:
     def points(self) -> tuple[Points, Points]:
         """Collect what the lower and the upper block weigh; a weight that is held elsewhere has no mass."""
         both = zip(blocks_of(self.strip, self.h1), masses_of(self.strip, self.h1), strict=True)
+        thrusts = self.strip.thrusts
+        pushes = [push for push in thrusts if push.z <= self.h1], [push for push in thrusts if push.z > self.h1]
         rows = [
-            [(w.x, w.z, w.lifted, 0.0, 0.0) for w in weights] + [(m.x, m.z, 0.0, m.mass, m.own) for m in masses]
-            for weights, masses in both
+            [(w.x, w.z, w.lifted, 0.0, 0.0, 0.0) for w in weights]
+            + [(m.x, m.z, 0.0, m.mass, m.own, 0.0) for m in masses]
+            + [(push.x, push.z, 0.0, 0.0, 0.0, push.force) for push in pushed]
+            for (weights, masses), pushed in zip(both, pushes, strict=True)
         ]
         lower, upper = (Points(*np.array(block).T) for block in rows)
         return lower, upper
@@ -116,7 +121,8 @@ class MovingStrip:
         """alpha [-] with which the wall is in equilibrium (C8.7.1.1, C8.7.1.2)."""
         held = pushed = 0.0
         for points, way, _ in self._ways(theta):
-            held, pushed = held + (points.force * way.z1).sum(-1), pushed - G * (points.mass * way.x1).sum(-1)
+            held = held + (points.force * way.z1 + points.thrust * way.x1).sum(-1)
+            pushed = pushed - G * (points.mass * way.x1).sum(-1)
         return held / pushed
 
     def acceleration(self, theta, speed, alpha):
@@ -124,7 +130,8 @@ class MovingStrip:
         held = pushed = inertia = change = 0.0
         _, twist = self.phi_rates(theta)
         for (points, way, turn), more in zip(self._ways(theta), (0.0, twist), strict=True):
-            held, pushed = held + (points.force * way.z1).sum(-1), pushed - (points.mass * way.x1).sum(-1)
+            held = held + (points.force * way.z1 + points.thrust * way.x1).sum(-1)
+            pushed = pushed - (points.mass * way.x1).sum(-1)
             inertia = inertia + (points.mass * (way.x1**2 + way.z1**2)).sum(-1) + points.own.sum() * turn**2
             change = change + (points.mass * (way.x1 * way.x2 + way.z1 * way.z2)).sum(-1)
             change = change + points.own.sum() * turn * more
@@ -145,7 +152,7 @@ class MovingStrip:
         def along(rate, change):
             return rate * np.asarray(acceleration)[..., None] + change * np.asarray(speed)[..., None] ** 2
 
-        push = points.mass * (np.asarray(alpha)[..., None] * G + along(way.x1, way.x2))
+        push = points.mass * (np.asarray(alpha)[..., None] * G + along(way.x1, way.x2)) + points.thrust
         falls = points.force + points.mass * along(way.z1, way.z2)
         rate, change = self.phi_rates(theta)
         turned = points.own.sum() * (rate * acceleration + change * np.asarray(speed) ** 2)
@@ -153,8 +160,9 @@ class MovingStrip:
         top = of.above * np.cos(phi) + of.edge * np.sin(phi)
         held = (((way.z - z) * push - (way.x - x) * falls).sum(-1) + turned) / top
         low = self.way(theta, False)
-        sideways = (self.points[0].mass * (np.asarray(alpha)[..., None] * G + along(low.x1, low.x2))).sum(-1)
-        return held, push.sum(-1) + sideways - held
+        below = self.points[0]
+        sideways = below.mass * (np.asarray(alpha)[..., None] * G + along(low.x1, low.x2)) + below.thrust
+        return held, push.sum(-1) + sideways.sum(-1) - held
 
     @cached_property
     def alpha0(self) -> float:

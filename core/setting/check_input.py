@@ -6,8 +6,10 @@ from functools import cached_property
 from typing import Any
 
 from core.case.held_top import mirror_inward
+from core.case.hold import ShareOfHold
 from core.case.schema import Generate
 from core.case.site import Building, Demand
+from core.case.spans_between_ties import is_backed
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand, complete_with_records
 from core.codes.dynamic_check import run_dynamic_check
@@ -16,6 +18,7 @@ from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
 from core.codes.record_compatibility import Compliance, check_compatibility
 from core.codes.vertical_bending import HingeAt, hinges_in_histories, lowest_hinge, model_of_bending
 from core.ground.ground_motion import GroundMotion
+from core.known import require_value
 from core.mechanism.bending_reactions import MovingStrip
 from core.mechanism.holds import (
     BASE,
@@ -132,6 +135,12 @@ class CheckInput:
         strips = {side: strip_of(wall) for side, wall in walls.items()}
         return {side: (wall, MovingStrip(strips[side], lowest_hinge(strips[side]))) for side, wall in walls.items()}
 
+    @property
+    def _is_backed(self) -> bool:
+        """Whether something is behind the wall all along."""
+        shares = (hold for hold in self.wall.hold if isinstance(hold, ShareOfHold))
+        return any(hold.backed for hold in shares) or is_backed(self.wall, 0.0, require_value(self.wall.height_m))
+
     def moving_to(self, side: str) -> tuple[Masonry, MovingStrip]:
         """A wall that bends as it moves to a side of a hold limit, and its strip."""
         return self._moving[side]
@@ -187,12 +196,20 @@ class CheckInput:
 
     @cached_property
     def kinematic(self) -> KinematicAnalysis | None:
-        """Kinematic checks of the wall; None above the ground where the building is not known. Raises InputError."""
+        """Kinematic checks of the wall, of one that bends to the side to which it begins to at the lesser push; None
+        above the ground where the building is not known. Raises InputError."""
         if self.wall.above_ground and self.floor is None:
             return None
-        return analyse_mechanism(
-            self.wall.in_si, self.mechanism, self.demand, self.floor.spectrum if self.floor else None
-        )
+        masonry = self._moving["inward"][0] if self.bends_inward else self.wall.in_si
+        return analyse_mechanism(masonry, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
+
+    @cached_property
+    def bends_inward(self) -> bool:
+        """Whether a wall held at its top begins to bend inward before it does outward."""
+        if not (self.wall.bends and self.wall.kinematics.bends_up) or self._is_backed:
+            return False
+        outward, inward = (self._moving[side][1].alpha0 for side in ("outward", "inward"))
+        return inward < outward * (1.0 - 1e-9)
 
     def replace_parts(self, **changes: Any) -> "CheckInput":
         """The scene with some of its parts changed: q of the searches goes, and the floor is that of the changed

@@ -169,6 +169,9 @@ def _limits(
         limits += building_notes(scene.building, scene.demand.limit_state)
     if ratio is not None and ratio < LOW_CODE:
         limits.append(sentence("reason", "code_below_records", ratio=ratio))
+    if scene.bends_inward:
+        outward, inward = (Number(scene.moving_to(side)[1].alpha0, ".3g") for side in ("outward", "inward"))
+        limits.append(sentence("reason", "bends_inward_first", outward=outward, inward=inward))
     limits += _of_life_and_records(evaluation)
     limits += _branch_remark(evaluation)
     limits += _hold_remark(evaluation)

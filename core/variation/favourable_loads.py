@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import partial
 
 from core.capacity.limit_states import LIMIT_FRACTION
-from core.case.held_top import mirror_inward
 from core.case.hold import Hold
 from core.case.load_rules import check_loads
 from core.case.loads import Load, OwnWeight
@@ -58,11 +57,6 @@ def _without(goes: Callable[[Wall, Load], bool]) -> SceneChange:
     return _with_loads(lambda wall: tuple(load for load in wall.load if not goes(wall, load)))
 
 
-def _bent_inward(scene: CheckInput) -> CheckInput:
-    """The wall as it is for a motion inward."""
-    return scene.replace_parts(wall=mirror_inward(scene.wall))
-
-
 MASSES = "none", "horizontal", "moving"
 """Choices of what the mass of a vertical load may do."""
 
@@ -105,7 +99,7 @@ def _of_weights_that_may_go(scene: CheckInput) -> Iterator[FavourableInput]:
         end = Alternative(
             lambda there: there.replace_parts(wall=replace(there.wall, load=permanent)), sentence("word", "permanent")
         )
-        yield single_alternative("load", "lift_variable", wall.evidence, GIVEN_WORD, end)
+        yield single_alternative("variable", "lift_variable", wall.evidence, GIVEN_WORD, end)
     if any(map(_is_carried, wall.load)) and _may_be(scene, tuple(load for load in wall.load if not _is_carried(load))):
         yield single_alternative("load", "lift_carried", wall.evidence, GIVEN_WORD, Alternative(carried, NONE_WORD))
 
@@ -177,12 +171,9 @@ def favourable_ties_and_forces(scene: CheckInput, clauses: bool) -> Iterator[Fav
         yield single_alternative(
             "prestress", "lift_prestress", of_ties, GIVEN_WORD, Alternative(_of_ties(prestress=None), NONE_WORD)
         )
-    if wall.kinematics.bends_up:
-        end = Alternative(_bent_inward, sentence("word", "inward"))
-        yield single_alternative("load", "lift_bends_inward", wall.evidence, sentence("word", "outward"), end)
     if any(map(_pulls_inward, wall.load)):
         end = Alternative(_without(lambda _, load: _pulls_inward(load)), NONE_WORD)
-        yield single_alternative("load", "lift_inward", wall.evidence, GIVEN_WORD, end)
+        yield single_alternative("inward", "lift_inward", wall.evidence, GIVEN_WORD, end)
 
 
 def _no_ties() -> Sentence:

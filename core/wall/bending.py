@@ -46,6 +46,14 @@ class Weight(NamedTuple):
         return self.force if self.works else 0.0
 
 
+class Thrust(NamedTuple):
+    """A force [N/m] that pushes a block outward at x, z [m], whatever its rotation."""
+
+    force: float
+    x: float
+    z: float
+
+
 class Strip(NamedTuple):
     """A metre of wall. height, thickness, setback : H, t at the base, u [m]; weight : W [N/m]
     loads : (N [N/m], d inward of the outer face [m]) on its top, held there: their masses do not move sideways
@@ -54,7 +62,8 @@ class Strip(NamedTuple):
     lies : it spans along the wall between transverse walls (core/wall/arch.py): a metre of its height, z along the
         wall; its weight does no work, both ends turn alike, and the thrust of the ends is its load
     pressed : of a strip that lies, what presses it outward without an earthquake, over its weight [-]
-    stands : of a strip that lies, by how much its ends may part before the tie along it breaks [m]"""
+    stands : of a strip that lies, by how much its ends may part before the tie along it breaks [m]
+    thrusts : between its base and its top"""
 
     height: float
     thickness: float
@@ -67,11 +76,12 @@ class Strip(NamedTuple):
     lies: bool = False
     pressed: float = 0.0
     stands: float = math.inf
+    thrusts: tuple[Thrust, ...] = ()
 
     @property
     def is_plain(self) -> bool:
         """Whether it is a rectangle with loads on its top alone, of which all is in closed form."""
-        return not (self.parts or self.below or self.lies)
+        return not (self.parts or self.below or self.lies or self.thrusts)
 
     @property
     def width(self) -> float:
@@ -143,6 +153,7 @@ class Turning(NamedTuple):
     lower : (force that does work, x inward of the hinge at the base, z, force that is pushed) of each weight; upper :
         the same, x outward of the hinge between and z above it
     pressed : of the strip
+    pushed : (force, x, z) of the thrusts on the lower and on the upper block, x and z as of their weights
     """
 
     at: Hinges
@@ -153,6 +164,7 @@ class Turning(NamedTuple):
     lower: tuple[tuple[float, float, float, float], ...]
     upper: tuple[tuple[float, float, float, float], ...]
     pressed: float = 0.0
+    pushed: tuple[tuple[tuple[float, float, float], ...], tuple[tuple[float, float, float], ...]] = ((), ())
 
     @classmethod
     def of(cls, strip: Strip, h1: float) -> "Turning":
@@ -160,7 +172,12 @@ class Turning(NamedTuple):
         at, (lower, upper) = hinges_of(strip, h1), blocks_of(strip, h1)
         below = tuple((one.lifted, one.x - at.base, one.z, one.force * one.pushed) for one in lower)
         over = tuple((one.lifted, at.between - one.x, one.z - h1, one.force * one.pushed) for one in upper)
-        return cls(at, h1, strip.height - h1, at.between - at.base, at.between - at.top, below, over, strip.pressed)
+        pushed = (
+            tuple((push.force, push.x - at.base, push.z) for push in strip.thrusts if push.z <= h1),
+            tuple((push.force, at.between - push.x, push.z - h1) for push in strip.thrusts if push.z > h1),
+        )
+        widths = at.between - at.base, at.between - at.top
+        return cls(at, h1, strip.height - h1, *widths, below, over, strip.pressed, pushed)
 
     def upper_rotation(self, cos: float, sin: float) -> float:
         """phi [rad] at a rotation of the lower block. Raises ValueError where the upper one no longer reaches."""
@@ -176,6 +193,9 @@ class Turning(NamedTuple):
         rate = (self.width * sin + self.h1 * cos) / (self.edge * s + self.above * c)  # of phi, by theta
         risen = math.fsum([force * (x * cos - z * sin) for force, x, z, _ in self.lower])
         risen += math.fsum([force * (up + rate * (x * c - z * s)) for force, x, z, _ in self.upper])
+        along = self.width * sin + self.h1 * cos
+        risen -= math.fsum([force * (x * sin + z * cos) for force, x, z in self.pushed[0]])
+        risen -= math.fsum([force * (along - rate * (x * s + z * c)) for force, x, z in self.pushed[1]])
         return risen - self.pressed * self.moved(cos, sin, c, s) if self.pressed else risen
 
     def moved(self, cos: float, sin: float, c: float, s: float) -> float:
@@ -211,11 +231,13 @@ def strip_of(wall: Masonry) -> Strip:
         return Strip(
             arch.spacing, thickness, arch.setback, weight, ends, lies=True, pressed=pressed / weight, stands=arch.stands
         )
-    on_top = [load for load in wall.loads if abs(load.height - height) <= TOP_TOLERANCE * height]
+    weights = [load for load in wall.loads if not load.is_thrust]
+    on_top = [load for load in weights if abs(load.height - height) <= TOP_TOLERANCE * height]
     loads = tuple((load.force, load.depth) for load in on_top)
-    below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in wall.loads if load not in on_top)
+    below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in weights if load not in on_top)
     length = require_value(wall.length) if wall.parts else 1.0
-    return Strip(height, thickness, wall.setback, wall.weight, loads, below, wall.parts, length)
+    thrusts = tuple(Thrust(load.force, load.depth, load.height) for load in wall.loads if load.is_thrust)
+    return Strip(height, thickness, wall.setback, wall.weight, loads, below, wall.parts, length, thrusts=thrusts)
 
 
 class Mass(NamedTuple):
@@ -274,6 +296,7 @@ class Motion:
         moving_lower, moving_upper = masses_of(strip, h1)
         self.lower = _sums(lower, moving_lower, lambda x: x - at.base, 0.0)
         self.upper = _sums(upper, moving_upper, lambda x: at.between - x, h1)
+        self.thrusts = [_moments(list(pushes)) for pushes in self.turning.pushed]
 
     @property
     def last(self) -> float:
@@ -297,6 +320,8 @@ class Motion:
         risen = low.force_x * cos - low.force_z * sin + up.force * rise + rate * (up.force_x * c - up.force_z * s)
         moved = low.pushed_x * sin + low.pushed_z * cos
         moved += up.pushed * along - rate * (up.pushed_x * s + up.pushed_z * c)
+        (_, low_x, low_z), (push, up_x, up_z) = (map(math.fsum, moments) for moments in self.thrusts)
+        risen = risen - (low_x * sin + low_z * cos + push * along - rate * (up_x * s + up_z * c))
         return inertia, risen, moved
 
 

@@ -97,11 +97,11 @@ def test_that_a_leaf_no_wall_has_is_refused(changes, code):
 
 
 def test_that_what_acts_between_strong_connectors_is_refused_as_by_hand():
-    """A thrust, a mass, a slack tie below the highest row: no stretch is looked at, and no leaf passes for that."""
+    """A pull inward, a mass, a slack tie below the highest row: no stretch is looked at, and no leaf passes by that."""
     strong = {"thickness_m": 0.12, "connector_kn_m": 20.0, "row_spacing_m": 5.9, "slip_mm": 5.0}
     assert any(part.top is not None for part in leaves_of(strong))
     slack = {"kind": "tie", "out_kn_m": 0.1, "h_m": 3.0, "bar_length_m": 8.0, "slack_mm": 5.0}
-    between = {"kind": "thrust", "kn_m": 0.01, "h_m": 1.0}
+    between = {"kind": "thrust", "kn_m": -0.01, "h_m": 1.0}
     for keys in (
         {"load": [between]},
         {"load": [COPING | {"h_m": 1.0, "kn_m": 0.01, "d_m": 0.06}]},

@@ -79,7 +79,8 @@ def test_that_a_tie_above_the_building_stops_nothing_and_a_wall_that_begins_ther
     [
         ([], False),
         ([TIE], False),
-        ([TIE, {"kind": "thrust", "kn_m": 0.001, "h_m": 3.0}], True),
+        ([TIE, {"kind": "thrust", "kn_m": 0.001, "h_m": 3.0}], False),  # it bends the stretch
+        ([TIE, {"kind": "thrust", "kn_m": -0.001, "h_m": 3.0}], True),
         ([TIE | {"slack_mm": 0.01}], True),
         (
             [TIE | {"h_m": 0.8, "out_kn_m": 0.1}, {"kind": "thrust", "kn_m": 0.001, "h_m": 0.5}],

@@ -184,7 +184,7 @@ def test_that_a_part_above_the_highest_anchor_is_looked_at_whichever_way_the_wal
 @pytest.mark.parametrize(
     ("keys", "code"),
     [
-        ({"load": [*FACADE["load"], {"kind": "thrust", "kn_m": 1.0, "h_m": 5.0}]}, "hold_thrust_between"),
+        ({"load": [*FACADE["load"], {"kind": "thrust", "kn_m": -1.0, "h_m": 5.0}]}, "hold_thrust_between"),
         ({"load": [*FACADE["load"], {"kind": "thrust", "kn_m": 9.0, "h_m": 10.1}]}, "thrust_on_hold"),
         ({"thickness_m": 3.6}, "hold_not_counted"),
         (

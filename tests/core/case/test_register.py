@@ -28,7 +28,7 @@ FREE = {"mechanism": "two_sided", "hold": None}
 TIE = {"kind": "tie", "out_kn_m": 8.0, "h_m": 8.6, "bar_length_m": 9.0, "elongation_m": 0.3}
 WEAK = TIE | {"out_kn_m": 5.0}
 BENT = {"mechanism": "vertical_bending", "height_m": 3.0, "hold": at_top(3.0, 9.0)}
-PUSH = {"kind": "thrust", "kn_m": 0.5, "h_m": 3.0}
+PUSH = {"kind": "thrust", "kn_m": -0.5, "h_m": 3.0}
 
 
 def loaded(*given, hold=WALL["hold"]):

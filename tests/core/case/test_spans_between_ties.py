@@ -77,7 +77,7 @@ def test_that_what_is_above_the_tie_stands_on_the_stretch_below_it():
     ("loads", "changes"),
     [
         ((ROOF, {**TIE, "slack_mm": 2.0}), {}),
-        ((ROOF, TIE, {"kind": "thrust", "kn_m": 1.0, "h_m": 3.0}), {}),
+        ((ROOF, TIE, {"kind": "thrust", "kn_m": -1.0, "h_m": 3.0}), {}),
         (
             (ROOF, TIE),
             {"return_walls": {"number": 2, "thickness_m": 0.4, "brick_height_m": 0.2, "brick_length_m": 0.3}},

@@ -26,6 +26,7 @@ STATES = {
     "odd_leaf",
     "hold_not_counted",
     "hold_nothing_behind",
+    "hold_thrust_between",
     "old_free",
     "thrust_on_hold",
     "arch_tie",

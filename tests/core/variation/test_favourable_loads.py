@@ -109,18 +109,10 @@ def test_that_a_force_that_always_pulls_inward_is_shown_without_it(kn_m, said):
     found, scene = rows_of(THRUST | {"kn_m": kn_m}, WEIGHT)
     assert ("lift_inward" in found) == said
     if said:
-        assert found["lift_inward"].key == "load" and [one.kind for one in loads_at(found["lift_inward"], scene)] == [
+        assert found["lift_inward"].key == "inward" and [one.kind for one in loads_at(found["lift_inward"], scene)] == [
             "vertical"
         ]
     assert "lift_inward" not in rows_of(TIE, CARRIED)[0]
-
-
-@pytest.mark.shows("lifts.inward")
-def test_that_a_wall_held_at_its_top_is_shown_bending_inward():
-    held = {"mechanism": "vertical_bending", "hold": [{"kind": "contact"}], "thickness_m": 0.3, "hinge_setback_m": 0.02}
-    found, scene = rows_of(WEIGHT | {"d_m": 0.1}, building={"height_m": 4.0, "storeys": 1, "period_s": 0.2}, **held)
-    assert [one.d_m for one in loads_at(found["lift_bends_inward"], scene)] == pytest.approx([0.2])
-    assert "lift_bends_inward" not in rows_of(WEIGHT)[0]
 
 
 # where weights stand, and what their mass does

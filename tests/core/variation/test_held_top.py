@@ -117,17 +117,22 @@ def test_that_zeta_of_the_overturning_stands_beside_it():
     assert wall.assessment.verdict.lower_bound < wall.assessment.verdict.zeta_e and "top_fails" in codes(wall)
 
 
-@pytest.mark.shows("lifts.inward")
-def test_that_loads_that_hold_less_inward_are_said_and_make_it_indicative():
-    """A wall satisfied outward alone, for its load stands near the outer face."""
-    near = WALL | {"load": [TOP | {"d_m": 0.02, "kn_m": 30.0}]}
-    (wall,) = study(near, demand=DEMAND | {"ag_g": 0.45}).walls
-    assert wall.assessment.checks[0].passed and "lift_bends_inward" in codes(wall)
-    assert wall.assessment.verdict.code == "indicative"
-    (reasoned,) = study(near | {"evidence": shown(load="a cross wall stands behind"), "hold": at_top(3.0, 60.0)}).walls
-    assert reasoned.assessment.verdict.code != "indicative"
-    (middle,) = study(WALL).walls
-    assert "lift_bends_inward" not in codes(middle)
+@pytest.mark.shows("held.inward")
+def test_that_the_clauses_look_at_the_side_to_which_a_wall_bends_first():
+    """Its load stands near the outer face: the checks are those of the wall mirrored, whose load stands near its inner
+    one; with something behind it all along it cannot bend inward."""
+    near, far = (WALL | {"load": [TOP | {"d_m": d, "kn_m": 30.0}]} for d in (0.02, WALL["thickness_m"] - 0.02))
+    for demand in (DEMAND, DEMAND | {"ag_g": 0.45}):
+        (first,), (second,) = (study(wall, demand=demand).walls for wall in (near, far))
+        assert "bends_inward_first" in codes(first) and "bends_inward_first" not in codes(second)
+        inward, outward = first.assessment.kinematic, second.assessment.kinematic
+        assert inward.alpha0 == pytest.approx(outward.alpha0, rel=1e-9)
+        assert inward.d_limit == pytest.approx(outward.d_limit, rel=1e-9)
+    held = at_top(3.0, 60.0)
+    backed = {"kind": "contact", "evidence": {"kind": "survey", "reference": "S1"}}
+    (leans,) = study(near | {"hold": [*held, backed]}).walls
+    assert "bends_inward_first" not in codes(leans)
+    assert leans.assessment.kinematic.alpha0 > 1.2 * inward.alpha0
 
 
 def test_that_the_highest_hinge_is_said():

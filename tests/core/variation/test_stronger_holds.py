@@ -43,7 +43,8 @@ def random_wall(draw):
         for h in heights
     ]
     if draw.random() < 0.3:
-        loads.append({"kind": "thrust", "h_m": draw.choice(heights), "kn_m": round(draw.uniform(0.0, 3.0), 2)})
+        place = draw.choice([*heights, round(draw.uniform(0.1, 0.95) * height, 2)])
+        loads.append({"kind": "thrust", "h_m": place, "kn_m": round(draw.uniform(0.0, 3.0), 2)})
     wall = {"name": "w", "length_m": 8.0, "unit_weight_kn_m3": 18.0, "base_z_m": 0.0}
     return wall | {"height_m": height, "thickness_m": thickness, "load": loads, "hold": holds}
 
