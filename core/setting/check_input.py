@@ -24,6 +24,7 @@ from core.mechanism.holds import (
     BASE,
     ENDS,
     FOOT,
+    INWARD,
     STUB,
     HoldLimit,
     force_on_top,
@@ -194,22 +195,33 @@ class CheckInput:
         """The records as they move the wall."""
         return list(self.floor.motions if self.floor else self.ground)
 
-    @cached_property
+    @property
     def kinematic(self) -> KinematicAnalysis | None:
-        """Kinematic checks of the wall, of one that bends to the side to which it begins to at the lesser push; None
-        above the ground where the building is not known. Raises InputError."""
-        if self.wall.above_ground and self.floor is None:
-            return None
-        masonry = self._moving["inward"][0] if self.bends_inward else self.wall.in_si
-        return analyse_mechanism(masonry, self.mechanism, self.demand, self.floor.spectrum if self.floor else None)
+        """Kinematic checks of the wall, of one that bends to the side on which it fares worse; None above the ground
+        where the building is not known. Raises InputError."""
+        return self._weaker_side[1]
+
+    @property
+    def bends_inward(self) -> bool:
+        """Whether the checks of the clauses are of a wall held at its top as it bends inward."""
+        return self._weaker_side[0] == INWARD
 
     @cached_property
-    def bends_inward(self) -> bool:
-        """Whether a wall held at its top begins to bend inward before it does outward."""
-        if not (self.wall.bends and self.wall.kinematics.bends_up) or self._is_backed:
-            return False
-        outward, inward = (self._moving[side][1].alpha0 for side in ("outward", "inward"))
-        return inward < outward * (1.0 - 1e-9)
+    def _weaker_side(self) -> tuple[str, KinematicAnalysis | None]:
+        """The side to which a wall moves with the lesser zeta of the displacement check, else alpha_0, and its
+        analysis."""
+        if self.wall.above_ground and self.floor is None:
+            return "outward", None
+        spectrum, walls = self.floor.spectrum if self.floor else None, {"outward": self.wall.in_si}
+        if self.wall.bends and self.wall.kinematics.bends_up and not self._is_backed:
+            walls[INWARD] = self._moving[INWARD][0]
+        found = {side: analyse_mechanism(wall, self.mechanism, self.demand, spectrum) for side, wall in walls.items()}
+        compared = [analysis.displacement for analysis in found.values()]
+        if None in compared:
+            side = min(found, key=lambda name: found[name].alpha0)
+        else:
+            side = min(found, key=lambda name: require_value(found[name].displacement).ratio)
+        return side, found[side]
 
     def replace_parts(self, **changes: Any) -> "CheckInput":
         """The scene with some of its parts changed: q of the searches goes, and the floor is that of the changed

@@ -90,7 +90,8 @@ def compare(seed, count):
             compared += 1
             # REACTIONS rule 2: a hold lost at rest leaves a wall that may bear more than it does between holds that
             # stand, about which it bends
-            excepted = has_lost_a_hold(plain) and not any(hinge.loses_hold for hinge in found.hinges)
+            decides = min(found.hinges, key=lambda hinge: hinge.zeta or 0.0)
+            excepted = has_lost_a_hold(plain) and not decides.loses_hold
             if place(found) < place(plain) and found.zeta < plain.zeta * (1.0 - 1e-3) and not excepted:
                 worse.append((what, plain.zeta, found.zeta, wall, ag))
     return compared, worse
