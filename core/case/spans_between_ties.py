@@ -168,10 +168,10 @@ def multiplier_at_yield(wall: Wall) -> float:
 
 
 def _shown(wall: Wall) -> Document | None:
-    """What shows that the ties of a wall hold, where all of them are shown: what shows that something stands behind
-    the wall is none of them."""
-    shown = all(tie.shows_strength for tie in wall.ties)
-    return wall.ties[0].evidence if wall.ties and shown else None
+    """What shows that the ties of a wall hold, of one that shows it of its tie not that: what shows that something
+    stands behind the wall is none of them."""
+    unshown = [tie for tie in wall.ties if not tie.shows_strength]
+    return next((tie.evidence for tie in (*unshown, *wall.ties)), None)
 
 
 def named_between(name: str, low: float, high: float) -> str:

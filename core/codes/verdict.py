@@ -27,7 +27,15 @@ TO_MEND = {
         "reason", "to_no_top_restraint", (("key", Key("hold")), ("one_sided", Sentence("word", "one_sided")))
     ),
     "no_hold_strength": Sentence("reason", "to_no_hold_strength", (("key", Key("out_kn_m")),)),
-    "no_arch": Sentence("reason", "to_no_arch", (("arch", Key("spacing_m")),)),
+    "no_arch": sentence(
+        "reason",
+        "to_no_arch",
+        arch=Key("spacing_m"),
+        tie=Key("tie_kn_m"),
+        elongation=Key("tie_elongation_m"),
+        shoulder=Key("shoulder_length_m"),
+        strength=Key("compressive_strength_mpa"),
+    ),
     "heights_left_out": Sentence("reason", "to_hinges", (("building", Key("[building]")),)),
     "hinges_as_asked": Sentence(
         "reason", "to_set_aside", (("key", Key("hinge_heights")), ("set_aside", Key("set_aside")))

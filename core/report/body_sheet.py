@@ -31,7 +31,7 @@ def bodies(book: Book, result: StudyResult) -> None:
     row = paragraph(sheet, 2, words, 8, 120, color=QUIET)
     for wall in result.walls:
         if parts := wall.wall.parts:
-            row = heads(book, sheet, row + 1, wall.name)
+            row = heads(book, sheet, row + 1, book.titled(wall.name))
             for k, part in enumerate(parts, start=1):
                 row = _solid(book, sheet, result, wall, part, k, row + 1)
 

@@ -25,7 +25,7 @@ from core.file_names import shown
 from core.report.sheet_rows import SheetRows
 from core.report.steps import Steps
 from core.report.xml_text import escape_for_cell
-from core.text.sentence import format_number, localized
+from core.text.sentence import format_number, localized, title_in
 
 INK = "1F2D3D"
 ACCENT = "2B5C8A"
@@ -77,6 +77,10 @@ class Book:
     def say(self, english: str, /, **values) -> str:
         """A text of the group "report" in the workbook's language."""
         return localized("report", english, self.language, **values)
+
+    def titled(self, name: str) -> str:
+        """A name of a wall, heights as the language writes them."""
+        return title_in(name, self.language)
 
     def digits(self, value: float | None, form: str) -> str:
         """A number within a text, "–" for None; form : as of format()."""

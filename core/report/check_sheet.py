@@ -114,7 +114,7 @@ def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows
     """Write the block of one wall: the body, q of the records and of the closed form, Eq. 9, the checks of the
     Circolare."""
     say, assessment = book.say, wall.assessment
-    row = heads(book, sheet, row, f"{wall.name} – {word(wall.mechanism, book.language)}")
+    row = heads(book, sheet, row, f"{book.titled(wall.name)} – {word(wall.mechanism, book.language)}")
     if assessment is not None:
         row = paragraph(sheet, row, sentence_of(wall, book.language), 13, 150)
         for line in (*lines_of(result, wall, book.language), *tie_lines(wall, book.language)):

@@ -72,7 +72,7 @@ def dynamic_check(book: Book, result: StudyResult) -> None:
 
 def _wall(book: Book, sheet, wall: WallResult, check, row: int) -> int:
     say = book.say
-    label = f"{wall.name} – {word(wall.mechanism, book.language)}"
+    label = f"{book.titled(wall.name)} – {word(wall.mechanism, book.language)}"
     header(
         sheet,
         row,

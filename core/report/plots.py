@@ -127,7 +127,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
     for index, wall in enumerate(book.steps.each(drawn)):
         column = DATA_COLUMN + 8 * index
         last_point, last_curve = _si_data(book, sheet, wall, column)
-        label = f"{wall.name} – {word(wall.mechanism, book.language)}"
+        label = f"{book.titled(wall.name)} – {word(wall.mechanism, book.language)}"
         chart = new_chart(label, "SI [cm]", "q_eff [-]", *(DOUBLE_CHART if abreast else SINGLE_CHART))
         add_series(chart, sheet, (column, column + 1), (2, last_point), ACCENT, points=True)
         if wall.power_law:
@@ -146,7 +146,7 @@ def q_against_si(book: Book, result: StudyResult) -> None:
                 axis.scaling.min = 0
         row = _placed(sheet, chart, index, len(drawn), row)
     if len(walls) > CHART_WALLS:
-        names = ", ".join(wall.name for wall in walls[CHART_WALLS:])
+        names = ", ".join(book.titled(wall.name) for wall in walls[CHART_WALLS:])
         row = paragraph(sheet, row, say("Not drawn: ") + names, 10, 90)
 
 
@@ -155,7 +155,7 @@ def _si_data(book: Book, sheet, wall: WallResult, column: int) -> tuple[int, int
     form = "Eq. 16" if wall.kinematics.one_way else "Eq. 15"
     law = wall.power_law
     fit = f"C1 SI^C2 (R² {book.digits(law.r_squared, '.2f')})" if law else "–"
-    text(sheet, 1, column, f"{wall.name} {word(wall.mechanism, book.language)}", color=QUIET)
+    text(sheet, 1, column, f"{book.titled(wall.name)} {word(wall.mechanism, book.language)}", color=QUIET)
     header(
         sheet,
         2,
@@ -209,7 +209,8 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
         column = DATA_COLUMN + 5 * index
         last = _history_data(book, sheet, entry, column)
         sign = "+" if entry.polarity > 0 else "−"
-        label = f"{entry.wall.name} – {word(entry.wall.mechanism, book.language)}: {entry.motion.name} ({sign})"
+        kind = word(entry.wall.mechanism, book.language)
+        label = f"{book.titled(entry.wall.name)} – {kind}: {entry.motion.name} ({sign})"
         chart = new_chart(label, "t [s]", "θ/θc [-]", *(DOUBLE_CHART if abreast else SINGLE_CHART))
         add_series(chart, sheet, (column, column + 1), (2, last[0]), GOOD, width=12000)
         add_series(chart, sheet, (column + 2, column + 3), (2, last[1]), BAD, width=12000)
@@ -223,14 +224,14 @@ def histories(book: Book, result: StudyResult, drawn: list[CollapseHistories]) -
     shown = {id(entry.wall) for entry in drawn[:CHART_WALLS]}
     rest = [wall for wall in result.walls if id(wall) not in shown]
     if rest:
-        names = ", ".join(f"{wall.name} ({word(wall.mechanism, book.language)})" for wall in rest)
+        names = ", ".join(f"{book.titled(wall.name)} ({word(wall.mechanism, book.language)})" for wall in rest)
         paragraph(sheet, row, say("Not drawn: ") + names, 10, 90)
         row += 2
 
 
 def _history_data(book: Book, sheet, entry: CollapseHistories, column: int) -> tuple[int, int]:
     words = (book.say("survives"), book.say("collapses"))
-    text(sheet, 1, column, entry.wall.name, color=QUIET)
+    text(sheet, 1, column, book.titled(entry.wall.name), color=QUIET)
     last = []
     for k, (history, scale) in enumerate(zip(entry.histories, entry.scales, strict=True)):
         header(sheet, 2, ["t [s]", f"C = {book.digits(abs(scale), '.4f')} {words[k]}"], column + 2 * k, 30)
@@ -285,7 +286,7 @@ def survival_map(book: Book, result: StudyResult) -> None:
         text(sheet, 4, 5 + k - first, label, size=8, color=QUIET)
     rows = book.steps.each(zip(runs, shares, strict=False))
     for row, ((wall, run), share) in enumerate(rows, start=5):
-        text(sheet, row, 1, wall.name, size=7)
+        text(sheet, row, 1, book.titled(wall.name), size=7)
         text(sheet, row, 2, word(wall.mechanism, book.language), size=7)
         text(sheet, row, 3, run.record, size=7)
         text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center", size=7)

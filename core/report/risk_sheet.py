@@ -77,9 +77,9 @@ def _walls(book: Book, sheet, result: StudyResult, row: int) -> int:
 
 def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
     assessment, language = wall.assessment, book.language
-    text(sheet, row, 1, wall.name, wrap=True)
+    text(sheet, row, 1, book.titled(wall.name), wrap=True)
     text(sheet, row, 2, word(wall.mechanism, language))
-    heighten(sheet, row, (wall.name, 26))
+    heighten(sheet, row, (book.titled(wall.name), 26))
     rule(sheet, row, 1, LAST_COLUMN)
     if assessment is None:
         return

@@ -208,10 +208,10 @@ def results(book: Book, result: StudyResult) -> None:
         for run in wall.runs:
             row += 1
             values = serialize(RUN, RunSource(run, wall, result))
-            text(sheet, row, 1, wall.name, wrap=True)
+            text(sheet, row, 1, book.titled(wall.name), wrap=True)
             text(sheet, row, 2, word(wall.mechanism, book.language))
             text(sheet, row, 3, run.record, wrap=True)
-            heighten(sheet, row, (wall.name, 20), (run.record, 24))
+            heighten(sheet, row, (book.titled(wall.name), 20), (run.record, 24))
             text(sheet, row, 4, "+" if run.polarity > 0 else "−", align="center")
             text(sheet, row, 5, status_word(book, values["status"]), color=INK if run.ida.q else BAD)
             low, high = values["bracket"] or (None, None)
@@ -269,7 +269,7 @@ def method(book: Book, result: StudyResult) -> None:
         if wall.wall.bends:
             continue
         ratio = MODELS[wall.restitution.model].source
-        label = f"{wall.name}, {word(wall.mechanism, book.language)}"
+        label = f"{book.titled(wall.name)}, {word(wall.mechanism, book.language)}"
         law = say("rigid")
         if not wall.law.is_rigid:
             ends = f"D1 {wall.law.elastic_limit:g}, D2 {wall.law.plateau_end:g}"
@@ -343,7 +343,10 @@ def _uncertainty(book: Book, sheet, result: StudyResult, row: int) -> int:
         if accuracy is None:
             continue
         title(
-            sheet, row, f"{say('How sure')}: {wall.name}, {word(wall.mechanism, book.language)}, {accuracy.record}", 11
+            sheet,
+            row,
+            f"{say('How sure')}: {book.titled(wall.name)}, {word(wall.mechanism, book.language)}, {accuracy.record}",
+            11,
         )
         rows = [
             (say("Solver"), _compared(book, accuracy) + _bound(book, accuracy)),

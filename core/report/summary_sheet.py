@@ -140,11 +140,11 @@ def _walls_table(book: Book, sheet, result: StudyResult, walls: list[WallResult]
     )
     for wall in book.steps.each(walls):
         row += 1
-        text(sheet, row, 1, wall.name, wrap=True)
+        text(sheet, row, 1, book.titled(wall.name), wrap=True)
         text(sheet, row, 2, word(wall.mechanism, book.language))
         verdict = wall.required_assessment.verdict if wall.assessment else None
         label = word(verdict.code, book.language) if verdict else "–"
-        heighten(sheet, row, (wall.name, 24), (label, 26))
+        heighten(sheet, row, (book.titled(wall.name), 24), (label, 26))
         weight = wall.wall.weight
         setback = wall.wall.setback if wall.wall.height_m else None
         values = serialize(QUANTITIES_SHOWN, WallResultSource(wall, result))
@@ -191,7 +191,7 @@ def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) ->
 def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
     """The wall with the lowest zeta: table of methods, verdict."""
     say, assessment = book.say, wall.required_assessment
-    label = f"{wall.name} – {word(wall.mechanism, book.language)}"
+    label = f"{book.titled(wall.name)} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
     if risk := risk_of(result, wall):
         row = paragraph(sheet, row + 1, _risk_line(book, risk), LAST_COLUMN, 150, color=QUIET) - 1

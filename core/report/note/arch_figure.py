@@ -45,7 +45,7 @@ def drawing(wall: WallResult, words: Words) -> Figure:
     ]
     caption = words.say(
         "{wall}: in plan, sizes, hinges (red points) and mechanism (dashed), between its transverse walls",
-        wall=wall.name,
+        wall=words.titled(wall.name),
     )
     y_range, x_range = (-0.3 * span, 3.2 * beyond), (-beyond, span + beyond)
     return Figure(caption, curves, y_range=y_range, labels=labels, x_range=x_range)

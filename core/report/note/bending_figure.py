@@ -48,7 +48,9 @@ def drawing(wall: WallResult, words: Words) -> Figure:
     for load, points in zip(asked.load, on, strict=True):
         x, y = points[0]
         labels.append(Label(f"{words.number(1e-3 * load.in_si.force, '.2f')} kN/m", x, y + 0.05 * h))
-    caption = words.say("{wall}: sizes, hinges (red points) and mechanism (dashed), held at its top", wall=wall.name)
+    caption = words.say(
+        "{wall}: sizes, hinges (red points) and mechanism (dashed), held at its top", wall=words.titled(wall.name)
+    )
     if asked.held_by:
         caption += words.say("; at its top: {restraint}", restraint=words.word(f"choice_{asked.held_by.kind}"))
     if asked.load:

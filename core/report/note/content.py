@@ -78,7 +78,7 @@ def full_note(result: StudyResult, language: str) -> list[Part]:
 
 
 def _name(wall: WallResult, words: Words) -> str:
-    return f"{wall.name} – {words.word(wall.mechanism)}"
+    return f"{words.titled(wall.name)} – {words.word(wall.mechanism)}"
 
 
 def head_parts(result: StudyResult, words: Words) -> list[Part]:
@@ -208,7 +208,7 @@ def _verdicts(result: StudyResult, words: Words) -> list[Part]:
     for n, (wall, decides) in enumerate(ordered):
         assessment = wall.assessment
         row = [
-            wall.name if decides else f"– {wall.name}",
+            words.titled(wall.name) if decides else f"– {words.titled(wall.name)}",
             words.word(wall.mechanism),
             words.number(wall.height, ".2f"),
             words.number(wall.thickness, ".3f"),

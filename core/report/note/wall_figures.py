@@ -84,7 +84,7 @@ def drawing(wall: WallResult, words: Words) -> Figure | None:
         ),
     ]
     labels += _sizes_of_loads(wall, words)
-    caption = words.say("{wall}: sizes, hinge (red point) and mechanism (dashed)", wall=wall.name)
+    caption = words.say("{wall}: sizes, hinge (red point) and mechanism (dashed)", wall=words.titled(wall.name))
     if (hold := wall.wall.held_by) and wall.kinematics.one_way:
         caption += words.say("; behind it: {restraint}", restraint=words.word(f"choice_{hold.kind}"))
     if wall.wall.is_loaded:
@@ -129,7 +129,9 @@ def elevation(wall: WallResult, words: Words) -> Figure | None:
     margin = 0.08 * max(max(up), max(across) - min(across))
     middle, half = 0.5 * (min(across) + max(across)), 0.5 * max(max(across) - min(across), max(up)) + margin
     pierced = any(kind == "opening" for _, kind in outlines)
-    caption = words.say("{wall}: elevation, openings in red" if pierced else "{wall}: elevation", wall=wall.name)
+    caption = words.say(
+        "{wall}: elevation, openings in red" if pierced else "{wall}: elevation", wall=words.titled(wall.name)
+    )
     curves.append(Curve("", (middle - half, middle + half), (0.0, 0.0), "quiet", width=1.1))
     return Figure(caption, curves, y_range=(-margin, max(up) + margin), x_range=(middle - half, middle + half))
 

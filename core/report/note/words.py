@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from core.text.sentence import Number, format_number, localized, sentence, word
+from core.text.sentence import Number, format_number, localized, sentence, title_in, word
 
 
 @dataclass(frozen=True)
@@ -14,6 +14,10 @@ class Words:
     def say(self, english: str, /, **values) -> str:
         """A text of the group "report"."""
         return localized("report", english, self.language, **values)
+
+    def titled(self, name: str) -> str:
+        """A name of a wall, heights as the language writes them."""
+        return title_in(name, self.language)
 
     def word(self, code: str) -> str:
         """A word of a result."""
