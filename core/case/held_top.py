@@ -56,7 +56,7 @@ def mirror_inward(wall: Wall) -> Wall:
     one; a step that keeps one face plumb keeps the other. An outward thrust, which would hold it, is left out."""
     mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
     across = require_value(wall.thickness)
-    loads = tuple(_as_inward(load, across) for load in wall.load if not load.pushes_outward)
+    loads = tuple(_mirror_load(load, across) for load in wall.load if not load.pushes_outward)
     steps = tuple(replace(step, flush=mirrored[step.flush]) for step in wall.steps)
     return replace(
         wall,
@@ -66,7 +66,7 @@ def mirror_inward(wall: Wall) -> Wall:
     )
 
 
-def _as_inward(load: Load, across: float) -> Load:
+def _mirror_load(load: Load, across: float) -> Load:
     """A load as it lies from the inner face: what pulls inward pushes there. across : thickness [m]"""
     if not load.is_thrust:
         return replace(load, d_m=across - require_value(load.d_m))

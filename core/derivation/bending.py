@@ -243,7 +243,8 @@ def geometry(wall: WallResult) -> Section:
     weight = 1e-3 * asked.in_si.weight
     shaped = bool(asked.parts)
     lines.append(Line(WEIGHT, weight, RUN, VALUE) if shaped else Line(body.w, weight, note=FULL))
-    if loads := wall.mechanics.wall.loads:
+    kinematic = wall.assessment.kinematic if wall.assessment else None
+    if loads := (kinematic.wall if kinematic else asked.in_si).loads:
         rows = [(Word(f"choice_{load.kind}"), (1e-3 * load.force, load.depth)) for load in loads]
         faces = "Loads, from the face about which its base turns"
         lines.append(Columns(faces, LOADS, ("kN/m", "m"), rows, INPUT))

@@ -140,7 +140,10 @@ def single_alternative(
     return FavourableInput(code, key, shown_by, value, (end,), words, source, histories, permitted)
 
 
-LOAD_AND_MASONRY_KEYS = ("elongation_m", "slack_mm", "prestress", "anchorage_kn", "load", "h_m", "unit_weight_kn_m3")
+LOAD_AND_MASONRY_KEYS = (
+    *("elongation_m", "slack_mm", "prestress", "anchorage_kn", "unit_weight_kn_m3"),
+    *("load", "inward", "variable", "h_m"),
+)
 """Keys of what loads and masonry raise, told only where the other end is the lower one."""
 
 

@@ -20,10 +20,10 @@ def test_that_a_mechanism_set_aside_by_hand_is_in_the_case_with_its_document(ope
     form = opened.walls.set_aside
     form.add("overturning")
     assert opened.session.problem() is not None  # its document is to be given
-    field(form.shown_by.fields, "kind").offer("survey")
+    field(form.shown_by.fields, "kind").offer("calculation")
     type_into(field(form.shown_by.fields, "reference"), "sheet 4")
     type_into(field(form.fields, "from_m"), "3")
-    entry = SetAside("overturning", 3.0, evidence=Document("survey", "sheet 4"))
+    entry = SetAside("overturning", 3.0, evidence=Document("calculation", "sheet 4"))
     assert opened.session.case.wall[0].set_aside == (entry,)
     assert opened.session.problem() is None
     assert form.list.item(0).text() == "Overturning, ≥ 3 m"

@@ -395,7 +395,11 @@ FLOOR = {"kind": "vertical", "d_m": 0.4, "mass": "none"}
         ({"kind": "carried_mass", "kn_m": 40.0, "d_m": 0.25, "h_m": 0.01}, "h_m", None),
         ({"kind": "carried_mass", "kn_m": 40.0, "d_m": 0.25, "h_m": 1.5}, "load", None),
         (FLOOR | {"kn_m": 40.0, "h_m": 0.6}, "h_m", None),
-        (FLOOR | {"g_kn_m": 1.0, "q_kn_m": 60.0, "psi_2": 1.0, "h_m": 2.0}, "load", FLOOR | {"kn_m": 1.0, "h_m": 2.0}),
+        (
+            FLOOR | {"g_kn_m": 1.0, "q_kn_m": 60.0, "psi_2": 1.0, "h_m": 2.0},
+            "variable",
+            FLOOR | {"kn_m": 1.0, "h_m": 2.0},
+        ),
     ],
 )
 def test_that_a_weight_that_may_not_be_there_is_shown_without_it(load, key, left):
