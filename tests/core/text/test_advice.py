@@ -147,6 +147,7 @@ CONDITION = {
     "tie_needs_rigid_law": "may overturn later",
     "to_set_aside": "each with a document",
     "no_arch": "was not checked",
+    "to_no_arch": "by a calculation",
     "base_friction_unused": "is not looked at",
     "to_set_aside_stretch": "with a document",
 }
