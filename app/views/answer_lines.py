@@ -92,8 +92,8 @@ def required_actions(result: StudyResult, wall: WallResult, language: str, alone
 
 
 def blocking_lines(wall: WallResult, lines: list[str]) -> list[str]:
-    """Of the lines of `verdict_limitations` those that make a verdict indicative and lead where nothing that is to be
-    done does."""
+    """Select those of the lines of `verdict_limitations` that make a verdict indicative and lead where nothing that is
+    to be done does."""
     verdict = require_value(wall.assessment).verdict
     led = {_target(action) for action in verdict.to_do}
     blocking = zip(verdict.limits[: verdict.blocking], lines, strict=False)

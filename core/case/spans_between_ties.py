@@ -251,8 +251,8 @@ def _is_tied(wall: Wall, load: Load) -> bool:
 
 
 def is_backed(wall: Wall, low: float, high: float) -> bool:
-    """Whether something is behind a wall all along between two heights [m]."""
-    along = (hold for hold in wall.hold if hold.is_contact and not hold.has_height)
+    """Whether something that a document shows is behind a wall all along between two heights [m]."""
+    along = (hold for hold in wall.hold if hold.is_contact and not hold.has_height and hold.evidence is not None)
     return any(
         (hold.from_m or 0.0) <= low + AT_TIE and high - AT_TIE <= (math.inf if hold.to_m is None else hold.to_m)
         for hold in along

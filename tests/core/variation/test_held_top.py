@@ -130,6 +130,8 @@ def test_that_the_clauses_look_at_the_side_to_which_a_wall_bends_first():
         assert inward.d_limit == pytest.approx(outward.d_limit, rel=1e-9)
     held = at_top(3.0, 60.0)
     backed = {"kind": "contact", "evidence": {"kind": "survey", "reference": "S1"}}
+    (unshown,) = study(near | {"hold": [*held, {"kind": "contact"}]}).walls
+    assert "bends_inward_first" in codes(unshown)  # a contact that nobody shows keeps it from nothing
     (leans,) = study(near | {"hold": [*held, backed]}).walls
     assert "bends_inward_first" not in codes(leans)
     assert leans.assessment.kinematic.alpha0 > 1.2 * inward.alpha0
