@@ -11,7 +11,7 @@ from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge
 from core.case.held_top import mirror_inward
 from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.loads import Load
-from core.case.spans_between_ties import bears_stretch, cut_span, is_backed, is_one_sheet, weight_above
+from core.case.spans_between_ties import bears_stretch, cut_span, is_backed, is_one_sheet, is_stopped, weight_above
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, lowest_hinge, start_multiplier
 from core.errors import InputError
@@ -42,7 +42,9 @@ at: the demand shares out what a hold stands between two stretches a little diff
 class HeldStretch(NamedTuple):
     """A stretch of a wall between two heights above its base [m], as a wall of its own.
 
-    gone : heights of the holds without which it bends [m]; inward : mirrored, over holds that stop nothing inward
+    gone : heights of the holds without which it bends, or which yield along it [m]; inward : mirrored, over holds that
+        stop nothing inward
+    within : it ends where a tie has yielded, within a stretch of the same way
     """
 
     low: float
@@ -50,6 +52,7 @@ class HeldStretch(NamedTuple):
     wall: Wall
     gone: tuple[float, ...] = ()
     inward: bool = False
+    within: bool = False
 
 
 def stands_outward(hold: Hold) -> bool:
@@ -63,10 +66,12 @@ MOST_HOLDS = 8
 
 def find_held_ways(wall: Wall) -> list[list[HeldStretch]]:
     """The stretches of a wall with all its holds and, one after the other, without each that then gives way first while
-    the wall is at rest. Empty as `find_held_stretches` says."""
+    the wall is at rest: a tie that stands an elongation beyond yield goes on pulling. Empty as `find_held_stretches`
+    says."""
     ways: list[list[HeldStretch]] = []
     gone: tuple[float, ...] = ()
-    while stretches := find_held_stretches(left := _without(wall, gone)):
+    while stretches := find_held_stretches(left := _without(wall, gone), yielded := _yielded_at(wall, gone)):
+        stretches = [*stretches, *_stretches_at_bars(left, stretches, yielded)]
         ways.append([stretch._replace(gone=gone) for stretch in (*stretches, *_bent_inward(left, stretches))])
         lost = _first_to_go(stretches)
         if lost is None:
@@ -81,6 +86,45 @@ def _without(wall: Wall, gone: tuple[float, ...]) -> Wall:
     return replace(wall, hold=tuple(hold for hold in left if hold is not None)) if gone else wall
 
 
+def _yielded_at(wall: Wall, gone: tuple[float, ...]) -> tuple[ShareOfHold, ...]:
+    """The ties at some heights [m] that go on pulling once they have yielded. A prestress is left out: they yield the
+    later."""
+    ties = ((hold, hold.tie(wall.length_m)) for hold in wall.ties if _is_at(hold, gone) and not hold.slack_mm)
+    return tuple(
+        ShareOfHold(
+            TIE,
+            hold.name,
+            h_m=hold.h_m,
+            out_kn_m=1e-3 * tie.bar.strength,
+            evidence=hold.evidence,
+            yielded=replace(tie.bar, slack=0.0, stands=tie.bar.breaks_at),
+        )
+        for hold, tie in ties
+        if tie.stands_more
+    )
+
+
+def _stretches_at_bars(
+    wall: Wall, stretches: list[HeldStretch], yielded: tuple[ShareOfHold, ...]
+) -> Iterator[HeldStretch]:
+    """The stretches of a wall that end where a tie has yielded: it may bend up to there, or from there on, without
+    making that tie longer. What holds the top of one that ends at a hold is that of the stretch over the ties."""
+    least = MIN_SLENDERNESS * require_value(wall.thickness)
+    for whole in stretches:
+        inside = (require_value(tie.h_m) for tie in yielded)
+        places = [whole.low, *sorted(h for h in inside if whole.low < h < whole.high), whole.high]
+        for low, high in itertools.combinations(places, 2):
+            if high - low < least or (low, high) == (whole.low, whole.high) or not bears_stretch(wall, low, high):
+                continue
+            span = cut_span(wall, low, high, foot_stays=low > whole.low or whole.low > 0.0)
+            top, held = span.hold[-1], whole.wall.hold[-1]
+            if high == whole.high and isinstance(held, ShareOfHold):
+                beside = max(held.beside_kn_m, _beside(wall, low, high, last=high == stretches[-1].high))
+                top = replace(held, h_m=high - low, beside_kn_m=beside, backed=is_stopped(wall, low, high))
+            part = replace(span, hold=(*span.hold[:-1], top))
+            yield _add_bars(HeldStretch(low, high, part, within=True), yielded)
+
+
 def _first_to_go(stretches: list[HeldStretch]) -> float | None:
     """Height of the hold that gives way first [m], of stiff ones; None where the wall bends well before."""
     pushes = _pushes_of_holds(stretches)
@@ -90,7 +134,7 @@ def _first_to_go(stretches: list[HeldStretch]) -> float | None:
 
 def _pushes_of_holds(stretches: list[HeldStretch]) -> dict[float, float]:
     """Height of each hold of some stretches -> alpha at which it gives way, a stiff one [-]."""
-    tops = [next(hold for hold in stretch.wall.hold if hold.h_m != 0.0) for stretch in stretches]
+    tops = [stretch.wall.hold[-1] for stretch in stretches]
     return {
         stretch.high: require_value(top.out_kn_m) / (0.5 * _pushed(stretch.wall) + _pushed_beside(top))
         for stretch, top in zip(stretches, tops, strict=True)
@@ -158,18 +202,22 @@ def _start_of_bending(stretches: list[HeldStretch]) -> float:
     return min(start_multiplier(strip, lowest_hinge(strip)) for strip in strips)
 
 
-def find_held_stretches(wall: Wall) -> list[HeldStretch]:
+def find_held_stretches(wall: Wall, yielded: tuple[ShareOfHold, ...] = ()) -> list[HeldStretch]:
     """The stretches of a wall that is held by floors, or by ties at two heights, from its base to its highest hold. A
     hold between two of them is shared out in the proportion of the weights that hang on it from below and from above:
     what both ask for is then within what it stands; a thrust at a hold, or above the highest, is taken first, one
     between two bends the stretch there. Empty where a pull inward acts between two holds, nothing is behind the wall up
-    to the highest, no stretch is slender enough to bend, the stub above may fall, or the wall is not one sheet."""
+    to the highest, no stretch is slender enough to bend, the stub above may fall, or the wall is not one sheet.
+
+    yielded : ties that pull along the stretches
+    """
     taut = sorted(require_value(tie.h_m) for tie in wall.ties if not tie.slack_mm)
     held = (bool(taut) and taut[-1] - taut[0] > SAME_HEIGHT) or any(stands_outward(hold) for hold in wall.hold)
+    held = held or bool(taut and yielded)
     sized = wall.thickness is not None and wall.height_m is not None and wall.unit_weight_kn_m3 is not None
     if not held or not sized or not wall.leans or wall.return_walls is not None or not is_one_sheet(wall):
         return []
-    ways = (_stretches_between(wall, levels) for levels in _spaced_sets(wall, _levels(wall)))
+    ways = (_stretches_between(wall, levels, yielded) for levels in _spaced_sets(wall, _levels(wall)))
     return max(filter(None, ways), key=_place, default=[])
 
 
@@ -191,8 +239,9 @@ def refuse_uncounted_holds(wall: Wall, here) -> None:
     raise InputError("hold_not_counted", place=here, key="out_kn_m", least=MIN_SLENDERNESS)
 
 
-def _stretches_between(wall: Wall, levels: list[Hold]) -> list[HeldStretch]:
-    """The stretches of a wall between its base and these holds; empty as `find_held_stretches` says."""
+def _stretches_between(wall: Wall, levels: list[Hold], yielded: tuple[ShareOfHold, ...]) -> list[HeldStretch]:
+    """The stretches of a wall between its base and these holds, with the ties that have yielded; empty as
+    `find_held_stretches` says."""
     pairs = list(pairwise([0.0, *(require_value(level.h_m) for level in levels)]))
     if not _stands_above(wall, pairs[-1][1]):
         return []
@@ -201,7 +250,22 @@ def _stretches_between(wall: Wall, levels: list[Hold]) -> list[HeldStretch]:
     stretches = [cut_span(wall, low, high) for low, high in pairs]
     stretches = stretches[:-1] + _bent_above(stretches[-1], wall, pairs[-1][1])
     shares = _less_thrusts(wall, levels, pairs)
-    return _share_levels(wall, shares, stretches, pairs) if shares and len(stretches) == len(pairs) else []
+    if not shares or len(stretches) != len(pairs):
+        return []
+    return [_add_bars(stretch, yielded) for stretch in _share_levels(wall, shares, stretches, pairs)]
+
+
+def _add_bars(stretch: HeldStretch, yielded: tuple[ShareOfHold, ...]) -> HeldStretch:
+    """A stretch with the ties between its ends, of which one that nothing shows is named."""
+    low, high, (*foot, top) = stretch.low, stretch.high, stretch.wall.hold
+    bars = [
+        replace(tie, h_m=height - low, yielded=replace(require_value(tie.yielded), height=height - low))
+        for tie in yielded
+        if low + SAME_HEIGHT < (height := require_value(tie.h_m)) < high - SAME_HEIGHT
+    ]
+    if unshown := next((tie for tie in bars if not tie.shows_strength), None):
+        top = replace(top, kind=unshown.kind, name=unshown.name, evidence=unshown.evidence)
+    return stretch._replace(wall=replace(stretch.wall, hold=(*foot, *bars, top)))
 
 
 def _share_levels(
@@ -215,7 +279,7 @@ def _share_levels(
     for n, ((low, high), stretch) in enumerate(zip(pairs, stretches, strict=True)):
         from_below, from_above = halves[n] + beside[n], sum(halves[n + 1 : n + 2])
         top = _share(levels[n], high - low, from_below / (from_below + from_above), beside[n])
-        top = replace(top, backed=is_backed(wall, low, high))
+        top = replace(top, backed=is_stopped(wall, low, high))
         if n == len(pairs) - 1:
             top = replace(top, rocking=above, stub=None if above else _stub_above(wall, high))
         foot: tuple[ShareOfHold, ...] = ()
@@ -259,7 +323,7 @@ def rocks_above(wall: Wall, top: float) -> bool:
         return False
     faces = contact_at(wall.parts, top) if wall.parts else None
     thickness = min(wall.thickness or math.inf, faces[1] - faces[0] if faces else math.inf)
-    return STUB_PUSH * left > thickness - 2.0 * wall.setback
+    return STUB_PUSH * left > thickness - 2.0 * cut_above_hinge(wall, top).setback
 
 
 def _push_of_stub(wall: Wall, top: float) -> float:

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from core.case.hold import ShareOfHold
 from core.case.loads import Load
 from core.case.solids import Solid
 from core.case.wall import Wall
@@ -53,7 +54,8 @@ def check_bends(wall: Wall) -> None:
 
 def mirror_inward(wall: Wall) -> Wall:
     """The wall as it is for a motion inward: mirrored, its loads as far from the inner face as they are from the outer
-    one; a step that keeps one face plumb keeps the other. An outward thrust, which would hold it, is left out."""
+    one; a step that keeps one face plumb keeps the other. An outward thrust, which would hold it, is left out, and a
+    tie, which pulls at a wall that moves outward alone."""
     mirrored = {"outer": "inner", "inner": "outer", "middle": "middle"}
     across = require_value(wall.thickness)
     loads = tuple(_mirror_load(load, across) for load in wall.load if not load.pushes_outward)
@@ -61,6 +63,7 @@ def mirror_inward(wall: Wall) -> Wall:
     return replace(
         wall,
         load=loads,
+        hold=tuple(hold for hold in wall.hold if not (isinstance(hold, ShareOfHold) and hold.yielded)),
         steps=steps,
         solid=tuple(_mirrored(solid, require_value(wall.thickness)) for solid in wall.solid),
     )

@@ -10,7 +10,7 @@ from core.case.directions import directions_of, falls_all_ways
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
 from core.case.held_stretches import HeldStretch, find_held_ways, highest_anchors, rocks_above
 from core.case.held_top import mirror_inward
-from core.case.hold import Hold, hold_kind
+from core.case.hold import Hold, ShareOfHold, hold_kind
 from core.case.schema import Case
 from core.case.site import Building
 from core.case.spanning import make_spanning_part, named_spanning, spans
@@ -52,7 +52,7 @@ class WallPart:
     of : what it is the part of: the wall with the floors that bear on it, or that leaf or direction
     inward : it bends inward there, between what stands behind it
     held : between holds that are shown to hold it, 1 with all of them, 2 without those that have gone; 0 of another one
-    gone : heights of these above the base [m]
+    gone : heights of these above the base [m]; within : it ends at one of them that has yielded
     """
 
     origin: int
@@ -65,6 +65,7 @@ class WallPart:
     inward: bool = False
     held: int = 0
     gone: tuple[float, ...] = ()
+    within: bool = False
 
     @property
     def body(self) -> Wall:
@@ -87,7 +88,7 @@ class WallPart:
         if self.wall.arch is not None and self.top is not None and self.wall.kinematics.arches:
             return named_spanning(self.body.name, require_value(self.wall.arch.spacing_m))
         if self.held:
-            return f"{self.body.name} {held_stretch_name(self.hinge, self.top, self.gone)}"
+            return f"{self.body.name} {held_stretch_name(self.hinge, self.top, self.gone, self.wall)}"
         if self.top is not None:
             return named_between(self.body.name, self.hinge, self.top)
         return part_name(self.body.name, self.hinge)
@@ -223,16 +224,20 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
     ]
 
 
-def held_stretch_name(low: float, high: float | None, gone: tuple[float, ...]) -> str:
-    """What tells a stretch between holds: its heights, and those of the holds that have gone [m]."""
-    without = "".join(f", −{height:.4g}" for height in gone)
+def held_stretch_name(low: float, high: float | None, gone: tuple[float, ...], stretch: Wall) -> str:
+    """What tells a stretch between holds: its heights, those of the holds that have gone, and of the ties that yield
+    along it, marked by ~ [m]."""
+    shares = (hold for hold in stretch.hold if isinstance(hold, ShareOfHold) and hold.yielded)
+    yields = [low + require_value(hold.h_m) for hold in shares]
+    pulls = [any(abs(height - other) <= SAME_HINGE for other in yields) for height in gone]
+    without = "".join(f", {'~' if pull else '−'}{height:.4g}" for height, pull in zip(gone, pulls, strict=True))
     return f"[{low:.4g}–{high:.4g}{without} m]"
 
 
 def _held_part(part: WallPart, stretch: HeldStretch, way: int) -> WallPart:
     held = replace(part, hinge=stretch.low, wall=stretch.wall, top=stretch.high, held=way, gone=stretch.gone)
-    held = replace(held, inward=stretch.inward)
-    name = f"{part.wall.title} {held_stretch_name(stretch.low, stretch.high, stretch.gone)}"
+    held = replace(held, inward=stretch.inward, within=stretch.within)
+    name = f"{part.wall.title} {held_stretch_name(stretch.low, stretch.high, stretch.gone, stretch.wall)}"
     return replace(held, wall=replace(stretch.wall, name=name))
 
 

@@ -6,7 +6,7 @@ from dataclasses import MISSING, dataclass, replace
 from core.case.document import Document
 from core.case.keys import flag_key, key, number_key, text_key
 from core.known import require_value
-from core.wall import arch, masonry, ties
+from core.wall import arch, bars, masonry, ties
 
 TIE = "tie"
 """Kind of hold that yields, and is gone beyond the elongation it stands."""
@@ -272,14 +272,16 @@ class ShareOfHold(Hold):
     """What a hold has for the stretch below it, or for the one above (h_m 0).
 
     beside_kn_m : weight whose inertia goes to it beside what the stretch hands to it, by the lever rule
-    backed : something is behind the stretch all along, which cannot bend inward
+    backed : something is behind the stretch, all along or within it, so that it cannot bend inward as a whole
     rocking : what rocks above it, of the highest one; stub : what may fall there, too low to rock
+    yielded : bar of a tie between the ends of a stretch, at h_m, which has yielded
     """
 
     beside_kn_m: float = 0.0
     backed: bool = False
     rocking: masonry.PartAbove | None = None
     stub: masonry.StubAbove | None = None
+    yielded: bars.TieBar | None = None
 
     @property
     def is_tie(self) -> bool:

@@ -234,7 +234,7 @@ def cut_span(wall: Wall, low: float, high: float, foot_stays: bool = False) -> W
         hold=(
             *([ShareOfHold(TIE, h_m=0.0, out_kn_m=math.inf)] if foot_stays or low in heights else []),
             ShareOfHold(
-                TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall), backed=is_backed(wall, low, high)
+                TIE, h_m=high - low, out_kn_m=math.inf, evidence=_shown(wall), backed=is_stopped(wall, low, high)
             ),
         ),
     )
@@ -257,6 +257,14 @@ def is_backed(wall: Wall, low: float, high: float) -> bool:
         (hold.from_m or 0.0) <= low + AT_TIE and high - AT_TIE <= (math.inf if hold.to_m is None else hold.to_m)
         for hold in along
     )
+
+
+def is_stopped(wall: Wall, low: float, high: float) -> bool:
+    """Whether a wall cannot bend inward over all of a stretch: something that a document shows is behind it all along,
+    or a floor within it, below and above which it is looked at as it bends inward."""
+    floors = (hold for hold in wall.hold if hold.is_contact and hold.has_height and hold.evidence is not None)
+    inside = (low + AT_TIE < require_value(hold.h_m) < high - AT_TIE for hold in floors)
+    return any(inside) or is_backed(wall, low, high)
 
 
 NO_SHAPE: dict = {"openings": (), "steps": (), "gable_m": None, "out_of_plumb_m": None, "return_wedges": None}

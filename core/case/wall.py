@@ -180,6 +180,7 @@ class Wall(Shaped):
             across=None if across is None else across.in_si(),
             arch=self._arch(),
             declared=self._declared(),
+            yielded=tuple(hold.yielded for hold in self.hold if isinstance(hold, ShareOfHold) and hold.yielded),
         )
 
     @property

@@ -197,7 +197,7 @@ def _covers(target, period: float, name: str, wall: Masonry) -> None:
 
 def _without_what_stretches(wall: Masonry) -> Masonry:
     """A wall without its ties, which pull only once it has moved: across it, and along one between transverse walls."""
-    wall = without_ties(wall) if wall.ties else wall
+    wall = replace(without_ties(wall) if wall.ties else wall, yielded=())
     return replace(wall, arch=wall.arch.without_tie) if wall.arch is not None and wall.arch.tied else wall
 
 
@@ -225,11 +225,8 @@ def analyse_mechanism(
     # nothing of a_g,SLD counts for SLV that a tie has to stretch for, and no friction, which is lost over a slip
     without_friction = sums.alpha0_bare * G / (sums.e_star * demand.confidence_factor)
     mass = None if mass is None else e_star * mass
-    period_0, acceleration, missing = None, demand.pga, ()
-    if floor is not None:
-        acceleration = max(floor.a_z, demand.pga)
-    elif wall.above_ground and not free:
-        acceleration, missing = None, ("spectrum",)
+    period_0, acceleration = None, acceleration_at_rest(wall, demand, floor)
+    missing: tuple[str, ...] = () if acceleration is not None or free else ("spectrum",)
     if free:
         period_0, missing = elastic_period(wall), _missing(wall, demand)
         if period_0 is not None and not missing:
@@ -261,6 +258,14 @@ def analyse_mechanism(
     return KinematicAnalysis(*quantities, own.limit, own.capacity, own.period, own.demand, floor, bare)
 
 
+def acceleration_at_rest(wall: Masonry, demand: SeismicDemand, floor: FloorSpectrum | None) -> float | None:
+    """a_g S, above the ground not below a_Z, of what does not vibrate before it moves [m/s2]; None of a wall above the
+    ground without the spectrum of its floor."""
+    if floor is None:
+        return None if wall.above_ground else demand.pga
+    return max(floor.a_z, demand.pga)
+
+
 def _weakest(sums: ChainSums, demand: SeismicDemand, floor: FloorSpectrum | None, wall: Masonry) -> ChainSums:
     """The sums of a wall held at its top whose displacement check has the least zeta. Raises InputError where the
     spectrum of a file ends before a period."""
@@ -270,6 +275,10 @@ def _weakest(sums: ChainSums, demand: SeismicDemand, floor: FloorSpectrum | None
         return _displacement(sum_bending_chain(wall, mechanism), demand, floor, 0.0, wall).ratio
 
     own, arch = sum_bending_chain(wall, governing_mechanism(sums.bending.strip, zeta)), wall.arch
+    if wall.yielded:  # a bar that breaks early takes nothing from what the wall stands alone
+        with contextlib.suppress(ValueError):
+            alone = sum_bending_chain(wall, governing_mechanism(sums.bending.strip._replace(bars=()), zeta))
+            return max(own, alone, key=lambda one: _displacement(one, demand, floor, 0.0, wall).ratio)
     if arch is None or not arch.tied or arch.shoulder <= MIN_THRUST:
         return own
     # a tie that breaks early takes nothing from what the masonry beyond holds alone

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.codes.vertical_bending import Bending, bending
+from core.codes.vertical_bending import LOST, Bending, bending
 from core.codes.vertical_bending import start_multiplier as start_of_bending
 from core.known import require_value
 from core.units import G
@@ -21,9 +21,6 @@ from core.wall.wall_loads import restoring_with_ties, start_multiplier
 
 DRAGGED = 0.4
 """Factor of the friction of the return walls (C8.7.1.2.1.1, literature of masonry of regular courses)."""
-
-LOST = 0.5
-"""Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
 
 SINE_OF_MAX_COLLAPSE = math.sin(MAX_COLLAPSE)
 """Sine of the largest rotation a wall comes to."""
@@ -113,7 +110,7 @@ class ChainSums:
         collegamenti, che [...] producano una riduzione della capacità, in termini di accelerazione, superiore al 50%
         del valore massimo" (C8.7.1.2.1.6) [m]."""
         if self.bending is not None:
-            return min(d, self.bending.breaks_at)
+            return self.bending.limit_of_ties(d)
         if not self.ties:
             return d
         most = max(self.alpha(end) for end in (0.0, *self.ends_of_ties()))
@@ -153,7 +150,10 @@ def sum_bending_chain(wall: Masonry, own: Bending) -> ChainSums:
 
 
 def restraint_multiplier_at_rest(wall: Masonry, own: Bending) -> float:
-    """alpha_0 of what holds a wall that bends before it moves [-]: no tie along it, which has to stretch first."""
+    """alpha_0 of what holds a wall that bends before it moves [-]: no tie along or across it, which has to stretch
+    first."""
+    if own.strip.bars:
+        return max(0.0, start_of_bending(own.strip._replace(bars=()), own.h1))
     if wall.arch is None or not wall.arch.tied:
         return own.alpha0
     return max(0.0, start_of_bending(strip_of(replace(wall, arch=wall.arch.without_tie)), own.h1))

@@ -6,14 +6,27 @@ import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from operator import mul
 from typing import ClassVar, NamedTuple
 
 from core.boundary import narrowed
 from core.errors import InputError, place
 from core.known import require_value
 from core.units import G
-from core.wall.bending import HeldTop, Strip, Turning, Weight, blocks_of, hinges_of, kept_at_impact, strip_of
-from core.wall.masonry import Masonry
+from core.wall.bars import TieBar
+from core.wall.bending import (
+    TINY,
+    HeldTop,
+    Motion,
+    Strip,
+    Turning,
+    Weight,
+    blocks_of,
+    hinges_of,
+    kept_at_impact,
+    strip_of,
+)
+from core.wall.masonry import COUNTED, Masonry
 from core.wall.rocking_model import RockingModel, bending_model
 from core.wall.solids import changes, faces_at
 
@@ -43,6 +56,9 @@ ROTATION_STEP = 1e-2
 DRAWN_ROTATION = math.radians(4.0)
 """Rotation of the lower block in drawings, less where the wall has fallen before."""
 
+LOST = 0.5
+"""Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
+
 REACHED = 0.999
 """Sine up to which the upper block is followed: beyond it no longer reaches its support."""
 
@@ -70,9 +86,32 @@ def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
 
 
 def work_of_thrusts(strip: Strip, h1: float) -> float:
-    """Work of the thrusts on a strip by a unit of theta at rest, its hinge at h1 [m] [N]."""
-    k = h1 / (strip.height - h1)
-    return math.fsum(push.force * (push.z if push.z <= h1 else h1 - k * (push.z - h1)) for push in strip.thrusts)
+    """Work of the thrusts on a strip, less that of its bars, by a unit of theta at rest, its hinge at h1 [m] [N]."""
+    return math.fsum(force * way_outward(strip, h1, z) for force, z in acting_thrusts(strip, h1))
+
+
+def way_outward(strip: Strip, h1: float, z: float) -> float:
+    """Way of a point at a height [m] outward by a unit of theta at rest [m]."""
+    return z if z <= h1 else h1 - h1 / (strip.height - h1) * (z - h1)
+
+
+def acting_thrusts(strip: Strip, h1: float) -> list[tuple[float, float]]:
+    """(force outward [N/m], height [m]) of the thrusts on a strip and of its bars: these where they act together, at
+    the rotation up to COUNTED of collapse at which they hold most, as `masonry.held_at`. h1 : of the hinge [m]"""
+    thrusts = [(push.force, push.z) for push in strip.thrusts]
+    if not strip.bars:
+        return thrusts
+    rates = [max(way_outward(strip, h1, bar.height), TINY) for bar in strip.bars]
+    most = COUNTED * strip.width / h1
+    ends = [end / rate for bar, rate in zip(strip.bars, rates, strict=True) for end in bar.ends]
+
+    def forces(theta: float) -> list[float]:
+        return [bar.force_stretched(rate * theta) for bar, rate in zip(strip.bars, rates, strict=True)]
+
+    best = max(
+        (most, *(end for end in ends if end < most)), key=lambda theta: math.fsum(map(mul, forces(theta), rates))
+    )
+    return thrusts + [(-force, bar.height) for force, bar in zip(forces(best), strip.bars, strict=True)]
 
 
 def start_multiplier(strip: Strip, h1: float) -> float:
@@ -102,6 +141,7 @@ def heights_of(strip: Strip, count: int) -> list[float]:
         *(changes(strip.parts) if strip.parts else ()),
         *(load.z for load in strip.below),
         *(push.z for push in strip.thrusts),
+        *(bar.height for bar in strip.bars),
     ]
     beside = (z + side for z in levels for side in (-STEP_OFFSET, 0.0, STEP_OFFSET))
     return sorted({*(low + (high - low) * n / count for n in range(count + 1)), *(z for z in beside if low < z < high)})
@@ -184,7 +224,7 @@ class Bending:
         is not in it."""
         at, weights = hinges_of(self.strip, self.h1), [one for block in blocks_of(self.strip, self.h1) for one in block]
         pushed = self.alpha0 * math.fsum(weight.force * weight.z for weight in weights if weight.pushed)
-        pushed += math.fsum(push.force * push.z for push in self.strip.thrusts)
+        pushed += math.fsum(force * z for force, z in acting_thrusts(self.strip, self.h1))
         return (pushed - math.fsum(weight.force * (weight.x - at.base) for weight in weights)) / self.strip.height
 
     @property
@@ -207,9 +247,55 @@ class Bending:
         what the ends part by up to collapse, and of another wall."""
         stands = self.strip.stands
         if math.isinf(stands) or self.parted(self.theta0) <= stands:
-            return math.inf
+            return self._end_of_bars
         theta, _, _ = narrowed(lambda angle: self.parted(angle) <= stands, 0.0, self.theta0, steps=BISECTIONS)
+        return self.displacement(theta)
+
+    def displacement(self, theta: float) -> float:
+        """d of the equivalent oscillator [m] at theta of the lower block [rad]."""
         return self.share * (self.width * (1.0 - math.cos(theta)) + self.h1 * math.sin(theta))
+
+    def limit_of_ties(self, d: float) -> float:
+        """d [m], or less where ties break before it with which more than half of the largest capacity goes
+        (C8.7.1.2.1.6)."""
+        theta = self.rotation(d) if self.strip.bars else 0.0
+        if self.strip.bars and all(self._stretched(theta, bar)[0] <= bar.breaks_at for bar in self.strip.bars):
+            return d
+        return min(d, self.breaks_at)
+
+    @property
+    def _end_of_bars(self) -> float:
+        """d [m] at which bars break with which more than half of the largest capacity goes; infinite where none do."""
+        ends = [self._turned_at(end, bar) for bar in self.strip.bars for end in bar.ends]
+        starts = [self.alpha(self.displacement(theta)) for theta in (0.0, *ends) if theta < self.theta0]
+        breaks = sorted((self._turned_at(bar.breaks_at, bar), n) for n, bar in enumerate(self.strip.bars))
+        lost = 0.0
+        for theta, n in breaks:
+            if theta >= self.theta0:
+                break
+            bar, moved = self.strip.bars[n], displaced_blocks(self.strip, self.h1, theta).moved
+            lost += bar.force_stretched(bar.breaks_at) * self._stretched(theta, bar)[1] / moved
+            if lost > LOST * max(starts):
+                return self.displacement(theta)
+        return math.inf
+
+    def _stretched(self, theta: float, bar: TieBar) -> tuple[float, float]:
+        """Elongation of a bar [m], and its rate by theta."""
+        length, rate = self._motion.stretched(theta, bar)
+        return float(length), float(rate)
+
+    def _turned_at(self, u: float, bar: TieBar) -> float:
+        """theta [rad] at which a bar is as long as this [m], by Newton; infinite where it never is before collapse."""
+        theta, most = 0.0, self.theta0
+        if self._stretched(most, bar)[0] <= u:
+            return math.inf
+        for _ in range(BISECTIONS):
+            length, rate = self._stretched(theta, bar)
+            step = (u - length) / rate
+            theta = min(max(theta + step, 0.0), most)
+            if abs(step) <= 1e-14 * most:
+                break
+        return theta
 
     def rotation(self, d: float) -> float:
         """theta of the lower block [rad] at d of the equivalent oscillator [m]."""
@@ -219,8 +305,18 @@ class Bending:
 
     def alpha(self, d: float) -> float:
         """alpha(d) [-] by the finite geometry (C8.7.1.2.1.2): it lies below the straight line to d_0."""
-        at = displaced_blocks(self.strip, self.h1, self.rotation(d))
-        return at.risen / at.moved
+        theta = self.rotation(d)
+        at = displaced_blocks(self.strip, self.h1, theta)
+        return (at.risen + self._held_by_bars(theta)) / at.moved
+
+    def _held_by_bars(self, theta: float) -> float:
+        """Work of the bars by a unit of theta on the first way out to a rotation [rad] [N]."""
+        rows = [(bar, *self._stretched(theta, bar)) for bar in self.strip.bars]
+        return math.fsum(bar.force_stretched(length) * rate for bar, length, rate in rows)
+
+    @functools.cached_property
+    def _motion(self) -> Motion:
+        return Motion(self.strip, self.h1)
 
 
 @functools.lru_cache(maxsize=4096)
@@ -229,7 +325,7 @@ def mechanism(strip: Strip, h1: float | None = None) -> Bending:
     alpha_0 is not positive."""
     h1 = lowest_hinge(strip) if h1 is None else h1
     alpha0 = start_multiplier(strip, h1)
-    if not alpha0 > 0.0:
+    if not alpha0 > 0.0 or (strip.bars and not start_multiplier(strip._replace(bars=()), h1) > 0.0):
         raise ValueError(alpha0)
     moved = [(one.force, way) for one, _, way in virtual(strip, h1) if one.pushed]
     total, first, second = (math.fsum(force * way**power for force, way in moved) for power in (0, 1, 2))

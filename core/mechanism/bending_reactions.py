@@ -13,7 +13,7 @@ import numpy as np
 
 from core.rocking.history import History
 from core.units import G
-from core.wall.bending import Strip, Turning, blocks_of, masses_of
+from core.wall.bending import Motion, Strip, Turning, blocks_of, masses_of, outer_face
 
 TINY, STEP = 1e-30, 1e-5
 """Imaginary step of a first derivative, which is exact, and step between two of them for a second one [rad]."""
@@ -24,6 +24,7 @@ class Points(NamedTuple):
 
     x, z : [m]; force : that does work as the block rises [N/m]; mass : that moves with it [kg/m]
     own : inertia about its own centre [kg m]; thrust : that pushes it outward [N/m]
+    bar : number of the bar that pulls there, -1 : none
     """
 
     x: np.ndarray
@@ -32,6 +33,13 @@ class Points(NamedTuple):
     mass: np.ndarray
     own: np.ndarray
     thrust: np.ndarray
+    bar: np.ndarray
+
+    def pushes(self, pulls: np.ndarray | None) -> np.ndarray:
+        """Force outward at each point [N/m]. pulls : of the bars [N/m], shape (..., bars), None : they are slack"""
+        if pulls is None or pulls.shape[-1] == 0:
+            return self.thrust
+        return self.thrust - np.where(self.bar >= 0, pulls[..., self.bar.astype(int)], 0.0)
 
 
 class Way(NamedTuple):
@@ -62,12 +70,14 @@ class MovingStrip:
     def points(self) -> tuple[Points, Points]:
         """Collect what the lower and the upper block weigh; a weight that is held elsewhere has no mass."""
         both = zip(blocks_of(self.strip, self.h1), masses_of(self.strip, self.h1), strict=True)
-        thrusts = self.strip.thrusts
-        pushes = [push for push in thrusts if push.z <= self.h1], [push for push in thrusts if push.z > self.h1]
+        acting = [(push.x, push.z, 0.0, 0.0, 0.0, push.force, -1) for push in self.strip.thrusts]
+        bars = enumerate(self.strip.bars)
+        acting += [(outer_face(self.strip, bar.height), bar.height, 0.0, 0.0, 0.0, 0.0, n) for n, bar in bars]
+        pushes = [row for row in acting if row[1] <= self.h1], [row for row in acting if row[1] > self.h1]
         rows = [
-            [(w.x, w.z, w.lifted, 0.0, 0.0, 0.0) for w in weights]
-            + [(m.x, m.z, 0.0, m.mass, m.own, 0.0) for m in masses]
-            + [(push.x, push.z, 0.0, 0.0, 0.0, push.force) for push in pushed]
+            [(w.x, w.z, w.lifted, 0.0, 0.0, 0.0, -1) for w in weights]
+            + [(m.x, m.z, 0.0, m.mass, m.own, 0.0, -1) for m in masses]
+            + pushed
             for (weights, masses), pushed in zip(both, pushes, strict=True)
         ]
         lower, upper = (Points(*np.array(block).T) for block in rows)
@@ -125,34 +135,34 @@ class MovingStrip:
             pushed = pushed - G * (points.mass * way.x1).sum(-1)
         return held / pushed
 
-    def acceleration(self, theta, speed, alpha):
-        """theta'' [1/s2] under an outward push alpha [-] (Lagrange). speed : theta' [rad/s]"""
+    def acceleration(self, theta, speed, alpha, pulls=None):
+        """theta'' [1/s2] under an outward push alpha [-] (Lagrange). speed : theta' [rad/s]; pulls : of the bars"""
         held = pushed = inertia = change = 0.0
         _, twist = self.phi_rates(theta)
         for (points, way, turn), more in zip(self._ways(theta), (0.0, twist), strict=True):
-            held = held + (points.force * way.z1 + points.thrust * way.x1).sum(-1)
+            held = held + (points.force * way.z1 + points.pushes(pulls) * way.x1).sum(-1)
             pushed = pushed - (points.mass * way.x1).sum(-1)
             inertia = inertia + (points.mass * (way.x1**2 + way.z1**2)).sum(-1) + points.own.sum() * turn**2
             change = change + (points.mass * (way.x1 * way.x2 + way.z1 * way.z2)).sum(-1)
             change = change + points.own.sum() * turn * more
         return (alpha * G * pushed - held - change * speed**2) / inertia
 
-    def reactions(self, theta, speed, alpha, acceleration=None):
+    def reactions(self, theta, speed, alpha, acceleration=None, pulls=None):
         """(R at the top, T at the base) [N/m]: R by the moments of the upper block about the hinge between, T by what
         moves sideways.
 
         theta, speed : of the lower block [rad], [rad/s]; alpha : outward push over g [-]
-        acceleration : theta'' [1/s2], None : of the equation of motion
+        acceleration : theta'' [1/s2], None : of the equation of motion; pulls : of `Points.pushes`
         """
         if acceleration is None:
-            acceleration = self.acceleration(theta, speed, alpha)
+            acceleration = self.acceleration(theta, speed, alpha, pulls)
         of, points, way = self.turning, self.points[1], self.way(theta, True)
         x, z = self.hinge(np.asarray(theta)[..., None])
 
         def along(rate, change):
             return rate * np.asarray(acceleration)[..., None] + change * np.asarray(speed)[..., None] ** 2
 
-        push = points.mass * (np.asarray(alpha)[..., None] * G + along(way.x1, way.x2)) + points.thrust
+        push = points.mass * (np.asarray(alpha)[..., None] * G + along(way.x1, way.x2)) + points.pushes(pulls)
         falls = points.force + points.mass * along(way.z1, way.z2)
         rate, change = self.phi_rates(theta)
         turned = points.own.sum() * (rate * acceleration + change * np.asarray(speed) ** 2)
@@ -161,7 +171,7 @@ class MovingStrip:
         held = (((way.z - z) * push - (way.x - x) * falls).sum(-1) + turned) / top
         low = self.way(theta, False)
         below = self.points[0]
-        sideways = below.mass * (np.asarray(alpha)[..., None] * G + along(low.x1, low.x2)) + below.thrust
+        sideways = below.mass * (np.asarray(alpha)[..., None] * G + along(low.x1, low.x2)) + below.pushes(pulls)
         return held, push.sum(-1) + sideways.sum(-1) - held
 
     @cached_property
@@ -216,9 +226,11 @@ class MovingStrip:
 def kept_rate(leaving: MovingStrip, entering: MovingStrip) -> float:
     """theta' after an impact over theta' before it: the momentum projected on the mechanism that opens."""
     cross = own = 0.0
-    for (points, out, turn), (_, back, other) in zip(leaving._ways(0.0), entering._ways(0.0), strict=True):
-        cross += float((points.mass * (out.x1 * back.x1 - out.z1 * back.z1)).sum() + points.own.sum() * turn * other)
-        own += float((points.mass * (back.x1**2 + back.z1**2)).sum() + points.own.sum() * other**2)
+    for (points, out, turn), (same, back, other) in zip(leaving._ways(0.0), entering._ways(0.0), strict=True):
+        here, there = points.mass > 0.0, same.mass > 0.0  # thrusts and bars act to one side alone
+        mass, x1, z1 = points.mass[here], back.x1[there], back.z1[there]
+        cross += float((mass * (out.x1[here] * x1 - out.z1[here] * z1)).sum() + points.own.sum() * turn * other)
+        own += float((mass * (x1**2 + z1**2)).sum() + points.own.sum() * other**2)
     return cross / own
 
 
@@ -255,7 +267,8 @@ def reactions_of_history(
     """
     largest = [0.0, 0.0]
     rotation, speed = motion.rotation, motion.velocity
-    times = np.arange(rotation.size) * dt
+    times, bars = np.arange(rotation.size) * dt, outward.strip.bars
+    pulled = bar_forces(outward, motion)
     at_impacts = np.interp(motion.impact_time, times, push[: rotation.size])
     for k, (strip, other, sign) in enumerate(((outward, inward, 1.0), (inward, outward, -1.0))):
         moving = sign * rotation > 0.0
@@ -266,10 +279,24 @@ def reactions_of_history(
         speeds = np.concatenate([sign * speed[moving], after, left])
         pushes = sign * np.concatenate([push[: rotation.size][moving], at_impacts[entered], at_impacts[~entered]])
         if theta.size:
-            held = strip.reactions(theta, speeds, pushes)[at_base]
+            pulls = np.zeros((theta.size, len(bars)))
+            if k == 0:
+                pulls[: moving.sum()] = pulled[moving]
+            held = strip.reactions(theta, speeds, pushes, pulls=pulls if k == 0 else None)[at_base]
             largest[k] = max(largest[k], float(held.max()))
             largest[1 - k] = max(largest[1 - k], -float(held.min()))
     return largest[0], largest[1]
+
+
+def bar_forces(outward: MovingStrip, motion: History) -> np.ndarray:
+    """Forces of the bars of a wall along its history [N/m], shape (samples, bars)."""
+    strip, theta = outward.strip, np.maximum(motion.rotation, 0.0)
+    of = Motion(strip, outward.h1)
+    rows = [
+        bar.strength * np.clip((of.stretched(theta, bar)[0] - residual) / bar.elongation_at_yield, 0.0, 1.0)
+        for bar, residual in zip(strip.bars, motion.of_bars, strict=True)
+    ]
+    return np.array(rows).T.reshape(theta.size, len(rows))
 
 
 def spring_force(momentum: float, stiffness: float, mass: float) -> float:

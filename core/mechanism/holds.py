@@ -15,10 +15,10 @@ from core.mechanism.rest import (
     Reach,
     base_reaction,
     greatest_at_top,
-    holds_at_rest,
     least_at_top,
-    multiplier_at_rest,
     simple_reactions,
+    top_holds,
+    top_multiplier,
 )
 from core.mechanism.sections import Sections
 from core.wall.masonry import Masonry
@@ -114,9 +114,9 @@ def limits_of_bending(wall: Masonry, moving: MovingStrip, side: str) -> Iterator
         yield HoldLimit(FOOT, foot, push_at(lambda alpha: reaction_of_foot(sections, moving, alpha), foot), side)
         return
     reach = reach_of_top(wall, side)
-    if not holds_at_rest(sections, [reach], alpha0 * (1.0 - 1e-6)):  # it slides before it bends
-        push = multiplier_at_rest(sections, [reach])
-        if holds_at_rest(sections, [reach], push * (1.0 + 1e-6), UNLIMITED):  # else its top does not hold it there
+    if not top_holds(sections, reach, alpha0 * (1.0 - 1e-6), wall.friction):  # it slides before it bends
+        push = top_multiplier(sections, reach, wall.friction)
+        if top_holds(sections, reach, push * (1.0 + 1e-6), UNLIMITED):  # else its top does not hold it there
             yield HoldLimit(BASE, wall.friction * sections.at(0.0).weight, push, side)
 
 

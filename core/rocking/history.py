@@ -1,11 +1,11 @@
 """One rocking history in full, and the outcomes of many multipliers of a record."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from core.rocking import held_lanes, held_top, lane_scheduler, taylor, taylor_with_bars
+from core.rocking import held_lanes, held_top, held_top_with_bars, lane_scheduler, taylor, taylor_with_bars
 from core.rocking.analysis_count import MADE
 from core.rocking.compared.comparison import integrate_comparison, scan_comparison
 from core.rocking.grounds import Grounds
@@ -64,6 +64,8 @@ def scan_records(method: Method, grounds: Grounds, which, scales, model, outcome
             outcomes[sound], peaks[sound] = codes, reached
         return clamped
     MADE.add(scales.size)
+    if model.bending is not None and model.bending.outward.bars:
+        return held_top_with_bars.scan(grounds, which, scales, model, outcomes, peaks)
     if model.bending is not None:
         return held_lanes.scan(grounds, which, scales, model, outcomes, peaks)
     if requires_order_8(model):
@@ -103,6 +105,7 @@ class History:
     clamped : count of impacts whose Eq. 7 was held at 0
     residual : of each bar of the wall, its residual elongation over its height at the samples, inf where it has gone;
         shape (bars, samples)
+    of_bars : of each bar of a wall held at its top, its residual elongation [m], of that shape
     """
 
     rotation: np.ndarray
@@ -113,6 +116,7 @@ class History:
     peak: float
     clamped: int
     residual: np.ndarray
+    of_bars: np.ndarray = field(default_factory=lambda: np.zeros((0, 0)))
 
 
 def integrate_history(
@@ -133,16 +137,16 @@ def integrate_history(
         return History(none, none, none, none, BAD_INPUT, 0.0, 0, none.reshape(0, 0))
     MADE.add(1)
     method, of_order_8 = resolve_auto(method, model, dt), requires_order_8(model)
-    trace = np.zeros((2 + len(model.bars), ground.size))
+    yielded = () if model.bending is None else model.bending.outward.bars
+    trace = np.zeros((2 + len(model.bars) + len(yielded), ground.size))
     rotation, velocity = trace[:2]
     times = np.zeros(4096)
     while True:
         velocities = np.zeros(times.size)
         wanted = (start, rotation, velocity, times, velocities)
         if model.bending is not None:
-            outcome, peak, impacts, clamped, done = held_top.history(
-                ground, dt, scale, model, start, trace, times, velocities
-            )
+            follow = held_top_with_bars.history if yielded else held_top.history
+            outcome, peak, impacts, clamped, done = follow(ground, dt, scale, model, start, trace, times, velocities)
         elif model.bars:
             outcome, peak, impacts, clamped, done = taylor_with_bars.integrate(
                 ground, dt, scale, model, start, trace, times, velocities
@@ -165,5 +169,6 @@ def integrate_history(
         outcome,
         peak,
         clamped,
-        trace[2:, :done],
+        trace[2 : 2 + len(model.bars), :done],
+        trace[2 + len(model.bars) :, :done],
     )

@@ -40,10 +40,38 @@ from core.setting.floors import Floor, make_floor
 from core.setting.held_histories import HeldHistories
 from core.text.sentence import Sentence
 from core.wall.arch import MIN_THRUST
+from core.wall.bars import TieBar
 from core.wall.bending import strip_of
 from core.wall.kinematics import Kinematics, kinematics
 from core.wall.masonry import Masonry
 from core.wall.rocking_model import RockingModel, rocking_model
+
+
+def _pulling(bars: tuple[TieBar, ...]) -> list[tuple[TieBar, ...]]:
+    """Bars that pull, of those that have yielded, where a reaction of the top is extreme: it is linear in each force,
+    and falls with that of any bar above one with whose force it falls. None first, then one more from below."""
+    ordered = sorted(bars, key=lambda bar: bar.height)
+    return [tuple(ordered[:count]) for count in range(len(ordered) + 1)]
+
+
+def _strip_that_moves(wall: Masonry) -> MovingStrip:
+    """The strip of a wall with the hinge of the least multiplier."""
+    strip = strip_of(wall)
+    return MovingStrip(strip, lowest_hinge(strip))
+
+
+def _reaction(wall: Masonry, moving: MovingStrip, limit: HoldLimit, alpha: float) -> float:
+    """What a hold of a wall takes [N/m] under pushes up to alpha [-]. moving : its strip"""
+    if limit.hold == ENDS:
+        return 0.5 * (alpha + moving.strip.pressed) * moving.strip.weight
+    if limit.hold == STUB and (stub := wall.declared.stub) is not None:
+        return alpha * stub.factor * stub.weight
+    sections = Sections(wall)
+    if limit.hold == FOOT:
+        return reaction_of_foot(sections, moving, alpha)
+    if limit.hold == BASE:
+        return reaction_of_base(sections, moving, alpha, limit.side)
+    return force_on_top(sections, moving, alpha)
 
 
 def make_rocking_model(wall: Wall, mechanism: str) -> RockingModel:
@@ -128,13 +156,14 @@ class CheckInput:
         return branches_of(self.wall.in_si, self.mechanism, self.model)
 
     @cached_property
-    def _moving(self) -> dict[str, tuple[Masonry, MovingStrip]]:
-        """Side -> the wall that bends to it, and its strip with the hinge of the least multiplier."""
-        walls = {"outward": self.wall.in_si}
+    def _moving(self) -> dict[str, list[tuple[Masonry, MovingStrip]]]:
+        """Side -> the wall that bends to it, and its strip with the hinge of the least multiplier: with each of the
+        bars that have yielded along it slack and at yield, for a reaction is extreme at one of these."""
+        own = self.wall.in_si
+        walls = {"outward": [own.add_pulls(pulling) for pulling in _pulling(own.yielded)]}
         if self.wall.kinematics.bends_up:
-            walls["inward"] = mirror_inward(self.wall).in_si
-        strips = {side: strip_of(wall) for side, wall in walls.items()}
-        return {side: (wall, MovingStrip(strips[side], lowest_hinge(strips[side]))) for side, wall in walls.items()}
+            walls[INWARD] = [mirror_inward(self.wall).in_si]
+        return {side: [(wall, _strip_that_moves(wall)) for wall in of_side] for side, of_side in walls.items()}
 
     @property
     def _is_backed(self) -> bool:
@@ -143,8 +172,8 @@ class CheckInput:
         return any(hold.backed for hold in shares) or is_backed(self.wall, 0.0, require_value(self.wall.height_m))
 
     def moving_to(self, side: str) -> tuple[Masonry, MovingStrip]:
-        """A wall that bends as it moves to a side of a hold limit, and its strip."""
-        return self._moving[side]
+        """A wall that bends as it moves to a side of a hold limit, its ties that have yielded slack, and its strip."""
+        return self._moving[side][0]
 
     @cached_property
     def held_histories(self) -> HeldHistories:
@@ -159,31 +188,24 @@ class CheckInput:
         if not self.wall.bends:
             return ()
         if masonry.arch is not None:
-            return (limit_of_ends(*self._moving["outward"]),) if masonry.arch.thrust > MIN_THRUST else ()
+            return (limit_of_ends(*self.moving_to("outward")),) if masonry.arch.thrust > MIN_THRUST else ()
         if masonry.declared.strength is None:
             return ()
-        return tuple(
-            limit for side, (wall, moving) in self._moving.items() for limit in limits_of_bending(wall, moving, side)
-        )
+        ways = [(side, *way) for side, of_side in self._moving.items() for way in of_side]
+        limits = [limit for side, wall, moving in ways for limit in limits_of_bending(wall, moving, side)]
+        first: dict[tuple, HoldLimit] = {}
+        for limit in sorted(limits, key=lambda limit: limit.push):
+            first.setdefault((limit.hold, limit.side, limit.presses), limit)
+        return tuple(limit for limit in limits if limit in first.values())
 
     def find_strength(self, limit: HoldLimit, alpha: float) -> float:
         """What a hold stands [N/m] under pushes up to alpha [-]."""
-        arch = self._moving[limit.side][0].arch
+        arch = self.moving_to(limit.side)[0].arch
         return limit.stands if arch is None else arch.under(alpha).held_across
 
     def find_reaction(self, limit: HoldLimit, alpha: float) -> float:
         """What a hold takes [N/m] under pushes up to alpha [-]."""
-        wall, moving = self._moving[limit.side]
-        if limit.hold == ENDS:
-            return 0.5 * (alpha + moving.strip.pressed) * moving.strip.weight
-        if limit.hold == STUB and (stub := wall.declared.stub) is not None:
-            return alpha * stub.factor * stub.weight
-        sections = Sections(wall)
-        if limit.hold == FOOT:
-            return reaction_of_foot(sections, moving, alpha)
-        if limit.hold == BASE:
-            return reaction_of_base(sections, moving, alpha, limit.side)
-        return force_on_top(sections, moving, alpha)
+        return max(_reaction(wall, moving, limit, alpha) for wall, moving in self._moving[limit.side])
 
     @property
     def signs(self) -> tuple[int, ...]:
@@ -214,7 +236,7 @@ class CheckInput:
             return "outward", None
         spectrum, walls = self.floor.spectrum if self.floor else None, {"outward": self.wall.in_si}
         if self.wall.bends and self.wall.kinematics.bends_up and not self._is_backed:
-            walls[INWARD] = self._moving[INWARD][0]
+            walls[INWARD] = self.moving_to(INWARD)[0]
         found = {side: analyse_mechanism(wall, self.mechanism, self.demand, spectrum) for side, wall in walls.items()}
         compared = [analysis.displacement for analysis in found.values()]
         if None in compared:

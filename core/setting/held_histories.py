@@ -59,9 +59,10 @@ class HeldHistories:
         """Largest reactions [N/m] of the hold at the top, or of the base, at a share of the demand, outward-holding and
         inward-holding. A motion whose bound is below what another one reached is not followed."""
         pulled = pushed = 0.0
+        bounded = not self._sides[0].strip.bars  # the bound is of a wall on its holds alone
         for push, motion, scale in self._strongest_first:
             alpha = share * push
-            if alpha <= self._least or max(side.bound(alpha, at_base) for side in self._sides) <= min(pulled, pushed):
+            if alpha <= self._least or (bounded and self._most(alpha, at_base) <= min(pulled, pushed)):
                 break
             history, ground = self._follow(motion, share * scale), share * scale * motion.acceleration / G
             if history.outcome != STABLE:  # a wall that falls pulls without bound, and its check says that it falls
@@ -69,6 +70,10 @@ class HeldHistories:
             both = reactions_of_history(*self._sides, history, ground, motion.time_step, at_base)
             pulled, pushed = max(pulled, both[0]), max(pushed, both[1])
         return pulled, pushed
+
+    def _most(self, alpha: float, at_base: bool) -> float:
+        """Bound of the reactions under pushes up to alpha [-] [N/m]."""
+        return max(side.bound(alpha, at_base) for side in self._sides)
 
     def impulses(self, share: float) -> tuple[float, float]:
         """What a wall that comes back from inward gives to the hold at its top at a share of the demand: the largest

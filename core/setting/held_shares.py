@@ -7,24 +7,12 @@ from itertools import pairwise
 from core.case.held_top import mirror_inward
 from core.case.hold import Hold, ShareOfHold
 from core.case.wall import Wall
-from core.codes.demand import SeismicDemand
-from core.codes.kinematic import KinematicAnalysis
 from core.codes.vertical_bending import lowest_hinge
-from core.ground.ground_motion import GroundMotion
 from core.known import require_value
 from core.mechanism.bending_reactions import MovingStrip
 from core.mechanism.holds import force_on_top, reaction_of_foot
 from core.mechanism.sections import Sections
-from core.units import G
 from core.wall.bending import strip_of
-
-
-def find_push(kinematic: KinematicAnalysis, demand: SeismicDemand, motions: Sequence[GroundMotion]) -> float | None:
-    """alpha of a demand [-]: the largest push of the clauses and of the motions, never divided by q; None where none is
-    known."""
-    pushes = [] if kinematic.acceleration_demand is None else [kinematic.acceleration_demand]
-    pushes += [demand.scaling(motion) * motion.pga for motion in motions]
-    return max(pushes) / G if pushes else None
 
 
 def scale_beside(stretch: Wall, factor: float) -> Wall:
@@ -52,6 +40,13 @@ def share_out(stretches: Sequence[Wall], pushes: Sequence[float]) -> list[Wall]:
         shared[n] = _replace_strength(shared[n], top, of_top * stands)
         shared[n + 1] = _replace_strength(shared[n + 1], foot, (1.0 - of_top) * stands)
     return shared
+
+
+def copy_strength(stretch: Wall, top: Hold) -> Wall:
+    """A stretch whose upper hold stands what a hold does."""
+    stiffness = top.stiffness_kn_m2
+    own = replace(stretch.hold[-1], out_kn_m=top.out_kn_m, in_kn_m=top.in_kn_m, stiffness_kn_m2=stiffness)
+    return replace(stretch, hold=(*stretch.hold[:-1], own))
 
 
 def _holds_at(stretch: Wall, height: float | None) -> list[Hold]:

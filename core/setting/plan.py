@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import groupby
 from pathlib import Path
-from typing import NamedTuple
 
 from core.capacity.ida import Search
 from core.case.hinges import WallPart, count_wall_parts, make_wall_parts, variant_key
@@ -15,7 +14,8 @@ from core.case.site import Building
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
-from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
+from core.codes.floor_spectrum import FloorSpectrum
+from core.codes.kinematic import KinematicAnalysis, acceleration_at_rest, analyse_mechanism
 from core.codes.record_compatibility import Compliance, period_range
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
@@ -25,7 +25,7 @@ from core.rocking.methods import AUTO, METHODS, Method
 from core.setting.check_input import CheckInput, make_rocking_model, select_polarities
 from core.setting.demand_input import generate_motions, read_demand
 from core.setting.floors import Floor, make_floor
-from core.setting.held_shares import find_push, scale_beside, share_out
+from core.setting.held_shares import copy_strength, scale_beside, share_out
 from core.setting.record_input import join_motions, read_records
 from core.setting.record_selection import Selection, select_records
 from core.units import G
@@ -33,13 +33,14 @@ from core.wall.kinematics import Kinematics, kinematics
 from core.wall.rocking_model import RockingModel
 
 
-class PlannedWall(NamedTuple):
+@dataclass(frozen=True)
+class PlannedWall:
     """One wall of a study about one hinge, by one mechanism.
 
     signs : each record is taken with, 1 as recorded, -1 reversed
     floor : it stands on, None on the ground
     felt : the records as they move it
-    kinematic : its mechanism, None without a demand and above the ground where the building is not known
+    demand : of the case, None without one
     """
 
     part: WallPart
@@ -48,12 +49,35 @@ class PlannedWall(NamedTuple):
     signs: tuple[int, ...]
     floor: Floor | None
     felt: list[GroundMotion]
-    kinematic: KinematicAnalysis | None
+    demand: SeismicDemand | None
 
     @property
     def kinematics(self) -> Kinematics:
         """What its mechanism does."""
         return kinematics(self.mechanism)
+
+    @property
+    def _floor_spectrum(self) -> FloorSpectrum | None:
+        return self.floor.spectrum if self.floor else None
+
+    @cached_property
+    def kinematic(self) -> KinematicAnalysis | None:
+        """Its mechanism; None without a demand and above the ground where the building is not known. Raises
+        InputError."""
+        wall = self.part.wall
+        if not self.demand or (wall.above_ground and not self.floor):
+            return None
+        return analyse_mechanism(wall.in_si, self.mechanism, self.demand, self._floor_spectrum)
+
+    @property
+    def push(self) -> float | None:
+        """alpha of the demand on what does not vibrate before it moves [-]: the largest push of the clauses and of the
+        motions, never divided by q; None where none is known."""
+        demand = require_value(self.demand)
+        own = acceleration_at_rest(self.part.wall.in_si, demand, self._floor_spectrum)
+        pushes = [demand.scaling(motion) * motion.pga for motion in self.felt]
+        pushes += [] if own is None else [own]
+        return max(pushes) / G if pushes else None
 
 
 @dataclass(frozen=True)
@@ -206,6 +230,7 @@ def make_plan(
     share: tuple[int, int] | None = None,
     longest: float | None = None,
     floors: FloorCache | None = None,
+    complete: bool = True,
 ) -> Plan:
     """The walls of a case. Raises InputError where the records and the demand do not go together: before hours of work,
     not after.
@@ -214,6 +239,7 @@ def make_plan(
     share : of the walls only some, as `run` takes it
     longest : of the mechanisms of all walls [s], where the case is a group of more
     floors : where the floors of a building are kept for the next group
+    complete : whether the checks of the clauses are made of each wall
     """
     demand, motions, kinds = inputs
     method = METHODS.get(case.analysis.method, AUTO)
@@ -228,11 +254,11 @@ def make_plan(
     for part in hinged:
         wall, floor = part.wall, at_height.of(part.wall, case.building, demand, motions)
         for mechanism in wall.mechanisms():
-            model, closed_form = make_rocking_model(wall, mechanism), None
-            if demand and (floor or not wall.above_ground):
-                closed_form = analyse_mechanism(wall.in_si, mechanism, demand, floor.spectrum if floor else None)
+            model = make_rocking_model(wall, mechanism)
             signs, felt = select_polarities(model, chosen.polarity), list(floor.motions) if floor else motions
-            entries.append(PlannedWall(part, mechanism, model, signs, floor, felt, closed_form))
+            entries.append(PlannedWall(part, mechanism, model, signs, floor, felt, demand))
+    for entry in entries if complete else ():
+        entry.kinematic  # noqa: B018 : what it refuses is refused before hours of work
     if demand:
         entries = _share_out_holds(entries, demand, lambda wall: at_height.of(wall, case.building, demand, motions))
     plan = Plan(case, demand, motions, kinds, method, search, entries, longest)
@@ -248,24 +274,28 @@ def _share_out_holds(
     hold beside the wall below it is moved as the floor at its height is."""
     shared = list(entries)
     for (_, way), group in groupby(range(len(entries)), lambda k: (entries[k].part.origin, entries[k].part.held)):
-        held = [k for k in group if not entries[k].part.inward]
-        pushes = [_push_of(entries[k], demand) for k in held]
-        if not way or None in pushes:
+        outward = [k for k in group if not entries[k].part.inward]
+        pushes = {k: push for k in outward if (push := entries[k].push) is not None}
+        if not way or len(pushes) < len(outward):
             continue
-        alphas = [push for push in pushes if push is not None]
-        stretches = [
-            scale_beside(entries[k].part.wall, _push_at_hold(entries[k], demand, floor_of) / push)
-            for k, push in zip(held, alphas, strict=True)
-        ]
-        walls = share_out(stretches, alphas)
-        for k, wall in zip(held, walls, strict=True):
-            shared[k] = entries[k]._replace(part=replace(entries[k].part, wall=wall))
+        stretches = {
+            k: scale_beside(entries[k].part.wall, _push_at_hold(entries[k], demand, floor_of) / push)
+            for k, push in pushes.items()
+        }
+        held = [k for k in outward if not entries[k].part.within]
+        walls = share_out([stretches[k] for k in held], [pushes[k] for k in held])
+        tops = {entries[k].part.top: wall.hold[-1] for k, wall in zip(held, walls, strict=True)}
+        stretches |= dict(zip(held, walls, strict=True))
+        for k, wall in stretches.items():
+            if entries[k].part.within and (top := tops.get(entries[k].part.top)) is not None:
+                wall = copy_strength(wall, top)
+            shared[k] = replace(entries[k], part=replace(entries[k].part, wall=wall))
     return shared
 
 
 def _push_at_hold(entry: PlannedWall, demand: SeismicDemand, floor_of: Callable[[Wall], Floor | None]) -> float:
     """alpha of the demand at the hold above a stretch [-], at least that of the stretch."""
-    least, base = require_value(_push_of(entry, demand)), entry.part.body.base_z_m
+    least, base = require_value(entry.push), entry.part.body.base_z_m
     if base is None:
         return least
     floor = floor_of(replace(entry.part.body, base_z_m=base + require_value(entry.part.top)))
@@ -274,10 +304,6 @@ def _push_at_hold(entry: PlannedWall, demand: SeismicDemand, floor_of: Callable[
     pushes = [floor.spectrum.a_z] if floor.spectrum is not None else []
     pushes += [demand.scaling(motion) * motion.pga for motion in floor.motions]
     return max(least, *(push / G for push in pushes))
-
-
-def _push_of(entry: PlannedWall, demand: SeismicDemand) -> float | None:
-    return None if entry.kinematic is None else find_push(entry.kinematic, demand, entry.felt)
 
 
 def count_results_by_wall(case: Case) -> Iterator[int]:

@@ -123,8 +123,9 @@ class _Wall:
         given, results = self.given, []
         why = sentence("reason", "wall_error", error=type(error).__name__)
         lines = "".join(traceback.format_exception(error))
-        for part, mechanism, model, _, floor, _, _ in self.entries.values():
-            wall = wall_result(part, mechanism, model, [], [], given.plan.search, given.demand, floor)
+        for entry in self.entries.values():
+            own = entry.part, entry.mechanism, entry.model
+            wall = wall_result(*own, [], [], given.plan.search, given.demand, entry.floor)
             if given.demand is not None:
                 verdict = make_undetermined(given.demand, why)
                 wall = replace(wall, assessment=Assessment(None, (), None, None, verdict))
@@ -183,15 +184,14 @@ class _Wall:
             together = max(1, min(self.most, MAX_SAMPLES // longest)) if lanes else 1
             groups += [tuple(runs[n : n + together]) for n in range(0, len(runs), together)]
         yield Batch({group: search_of(group) for group in groups}, keep)
-        for k, (part, mechanism, model, _, floor, felt, _) in self.entries.items():
+        for k, entry in self.entries.items():
             runs = plan.runs_of(k)
             run_results = [
-                run_result(model, felt[record], record, sign, idas[k, record, sign]) for _, record, sign in runs
+                run_result(entry.model, entry.felt[record], record, sign, idas[k, record, sign])
+                for _, record, sign in runs
             ]
-            motions = plan.motions if runs else []
-            self.results[k] = wall_result(
-                part, mechanism, model, run_results, motions, plan.search, given.demand, floor
-            )
+            motions, own = plan.motions if runs else [], (entry.part, entry.mechanism, entry.model)
+            self.results[k] = wall_result(*own, run_results, motions, plan.search, given.demand, entry.floor)
 
     def _scene(self, k: int, demand: SeismicDemand) -> CheckInput:
         """Scene of the checks of an entry, with q of its searches."""

@@ -1,5 +1,6 @@
 """A wall of a case evaluated about all its hinges, without the search of q: as it is, or with another input."""
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -143,21 +144,23 @@ def evaluate_wall(
     floors : of the building, kept for the next call with the same demand and building
     Raises InputError, Cancelled.
     """
-    plan = make_plan(setting.case, setting.inputs, floors=floors)
+    plan = make_plan(setting.case, setting.inputs, floors=floors, complete=False)
     scenes = [plan.scene(k, setting.demand, histories=setting.histories) for k in range(len(plan.entries))]
-    if precision is None:
-        hinges = [evaluate(scene.without_records()) for scene in scenes]
-    else:
-        hinges = [evaluate(scene, precision, other=False, cancelled=cancelled) for scene in scenes]
+
+    @functools.cache
+    def hinge(n: int) -> Evaluation:
+        if precision is None:
+            return evaluate(scenes[n].without_records())
+        return evaluate(scenes[n], precision, other=False, cancelled=cancelled)
 
     def worst(numbers: list[int]) -> tuple:
-        return way_key((outcome(n), hinges[n].zeta, setting.demand.zeta_target) for n in numbers)
+        return way_key((outcome(n), hinge(n).zeta, setting.demand.zeta_target) for n in numbers)
 
     def outcome(n: int) -> str:
         """Outcome of a part: what holds it and is not shown to hold it leaves it indicative, as in the run."""
-        code, hold = hinges[n].outcome, plan.entries[n].part.wall.held_by
+        code, hold = hinge(n).outcome, plan.entries[n].part.wall.held_by
         shown = not plan.entries[n].part.held or (hold is not None and hold.shows_strength)
         return code if shown or OUTCOMES[code].judgement != PASSES else "indicative"
 
     parts = [entry.part for entry in plan.entries]
-    return WallEvaluation(tuple(hinges[n] for n in best_way(parts, worst, lambda n: hinges[n].loses_hold)))
+    return WallEvaluation(tuple(map(hinge, best_way(parts, worst, lambda n: hinge(n).loses_hold))))

@@ -65,7 +65,10 @@ class TieBar:
 
     def force_at(self, theta: float) -> float:
         """Force of the bar [N/m] on its first way out to a rotation [rad]; 0 beyond its end."""
-        u = self.height * math.sin(theta)
+        return self.force_stretched(self.height * math.sin(theta))
+
+    def force_stretched(self, u: float) -> float:
+        """Force of the bar [N/m] on its first way out to an elongation [m]; 0 beyond its end."""
         if u > self.breaks_at * (1.0 + 1e-12):
             return 0.0
         return self.strength * min(max((u - self.slack) / self.elongation_at_yield, 0.0), 1.0)

@@ -18,6 +18,7 @@ import numpy as np
 
 from core.known import require_value
 from core.units import G
+from core.wall.bars import TieBar
 from core.wall.body import Body, cut_above, sum_bodies
 from core.wall.masonry import Load, Masonry
 from core.wall.solids import Part, contact_at, faces_at, sum_of
@@ -63,7 +64,9 @@ class Strip(NamedTuple):
         wall; its weight does no work, both ends turn alike, and the thrust of the ends is its load
     pressed : of a strip that lies, what presses it outward without an earthquake, over its weight [-]
     stands : of a strip that lies, by how much its ends may part before the tie along it breaks [m]
-    thrusts : between its base and its top"""
+    thrusts : between its base and its top
+    bars : ties between them that have yielded: each pulls at its outer face as the wall moves outward, at `bar.height`
+        above the base"""
 
     height: float
     thickness: float
@@ -77,11 +80,12 @@ class Strip(NamedTuple):
     pressed: float = 0.0
     stands: float = math.inf
     thrusts: tuple[Thrust, ...] = ()
+    bars: tuple[TieBar, ...] = ()
 
     @property
     def is_plain(self) -> bool:
         """Whether it is a rectangle with loads on its top alone, of which all is in closed form."""
-        return not (self.parts or self.below or self.lies or self.thrusts)
+        return not (self.parts or self.below or self.lies or self.thrusts or self.bars)
 
     @property
     def width(self) -> float:
@@ -104,6 +108,12 @@ def hinges_of(strip: Strip, h1: float) -> Hinges:
         faces, highest = contact_at(strip.parts, h1), _held_faces(strip.parts, strip.height)
         inner, top = faces[1] if faces else inner, highest[0] if highest else top
     return Hinges(strip.setback, inner - strip.setback, top)
+
+
+def outer_face(strip: Strip, height: float) -> float:
+    """x of the outer face of a strip at a height [m]."""
+    faces = contact_at(strip.parts, height) if strip.parts else None
+    return faces[0] if faces else 0.0
 
 
 @functools.lru_cache(maxsize=64)
@@ -237,7 +247,8 @@ def strip_of(wall: Masonry) -> Strip:
     below = tuple(Weight(load.force, load.depth, load.height, load.pushes) for load in weights if load not in on_top)
     length = require_value(wall.length) if wall.parts else 1.0
     thrusts = tuple(Thrust(load.force, load.depth, load.height) for load in wall.loads if load.is_thrust)
-    return Strip(height, thickness, wall.setback, wall.weight, loads, below, wall.parts, length, thrusts=thrusts)
+    shape = wall.parts, length
+    return Strip(height, thickness, wall.setback, wall.weight, loads, below, *shape, thrusts=thrusts, bars=wall.yielded)
 
 
 class Mass(NamedTuple):
@@ -290,7 +301,7 @@ class Motion:
     I(theta) theta''+ I'(theta) theta'^2/2 + V'(theta) = a X'(theta), theta >= 0 the rotation of the lower block."""
 
     def __init__(self, strip: Strip, h1: float):
-        self.turning = Turning.of(strip, h1)
+        self.strip, self.turning = strip, Turning.of(strip, h1)
         at = self.turning.at
         lower, upper = blocks_of(strip, h1)
         moving_lower, moving_upper = masses_of(strip, h1)
@@ -304,6 +315,20 @@ class Motion:
         of, radius = self.turning, math.hypot(self.turning.edge, self.turning.above)
         sine = (radius + of.at.base - of.at.top) / math.hypot(of.width, of.h1)
         return math.atan2(of.width, of.h1) + (math.asin(sine) if sine < 1.0 else 0.5 * math.pi)
+
+    def stretched(self, theta, bar: TieBar):
+        """Elongation of a bar [m], and its rate by theta, at a rotation of the lower block [rad] below `last`, or at
+        several."""
+        of, cos, sin = self.turning, np.cos(theta), np.sin(theta)
+        face, z = outer_face(self.strip, bar.height), bar.height
+        if z <= of.h1:
+            a = face - of.at.base
+            return face - of.at.base - a * cos + z * sin, a * sin + z * cos
+        reach = of.at.base + of.width * cos - of.h1 * sin
+        phi = math.atan2(of.edge, of.above) - np.arcsin((reach - of.at.top) / math.hypot(of.edge, of.above))
+        along, c, s = of.width * sin + of.h1 * cos, np.cos(phi), np.sin(phi)
+        rate, a, b = along / (of.edge * s + of.above * c), face - of.at.between, z - of.h1
+        return face - reach - a * c - b * s, along + rate * (a * s - b * c)
 
     def parts(self, theta: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """I [kg m], V' and X' g [N], at rotations of the lower block [rad] below `last`, each per metre of wall."""

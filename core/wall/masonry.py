@@ -4,14 +4,14 @@ x is inward from the outer face of the base, z above it.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from core.units import G
 from core.wall.arch import Arch
-from core.wall.bars import Bar
+from core.wall.bars import Bar, TieBar
 from core.wall.block import Block
 from core.wall.body import Body
 from core.wall.kinematics import Kinematics, kinematics
@@ -164,6 +164,7 @@ class Masonry:
     parts : its solids, none of a rectangle
     across : the walls behind it, dragged by friction
     arch : of a wall that spans between transverse walls (horizontal_bending)
+    yielded : ties between the ends of a stretch that bends, which have yielded
     """
 
     name: str
@@ -187,6 +188,7 @@ class Masonry:
     across: ReturnWalls | None = None
     declared: Declared = Declared()
     arch: Arch | None = None
+    yielded: tuple[TieBar, ...] = ()
 
     @property
     def bends(self) -> bool:
@@ -248,6 +250,11 @@ class Masonry:
     def ties(self) -> tuple[Tie, ...]:
         """The ties among its loads, in their order."""
         return tuple(load.tie for load in self.loads if load.tie is not None)
+
+    def add_pulls(self, pulling: tuple[TieBar, ...]) -> "Masonry":
+        """A stretch whose ties have yielded with these alone, each a force of its strength."""
+        pulls = (Load("thrust", -bar.strength, 0.0, bar.height) for bar in pulling)
+        return replace(self, yielded=(), loads=(*self.loads, *pulls))
 
     @cached_property
     def block(self) -> Block:

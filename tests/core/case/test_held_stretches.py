@@ -17,7 +17,7 @@ from core.codes.vertical_bending import bending, lowest_hinge
 from core.errors import InputError
 from core.mechanism.bending_reactions import MovingStrip
 from core.mechanism.holds import FOOT, TOP, force_on_top, limits_of_bending, reaction_of_foot
-from core.mechanism.rest import Reach, holds_at_rest, simple_reactions
+from core.mechanism.rest import Reach, simple_reactions
 from core.mechanism.sections import Sections
 from core.setting.held_shares import share_out
 from core.setting.plan import make_plan, read_inputs
@@ -28,6 +28,7 @@ from core.variation.wall_evaluation import evaluate_wall, make_wall_context
 from core.wall.bending import strip_of
 from tests.clauses_alone import parse_case
 from tests.conftest import ROOT
+from tests.core.mechanism.polygon import holds_at_rest
 from tests.holds import behind
 
 SPECTRUM = {"code": "NTC2018", "f0": 2.45, "tc_star_s": 0.33, "soil": "C", "topography": "T1"}
@@ -227,13 +228,55 @@ TIED = [
 def test_that_ties_at_several_floors_hold_a_wall_between_them_as_far_as_the_demand_asks():
     """Weak ties give what the wall has by turning, or bending over them; strong ones every stretch of its own."""
     ways = []
-    for factor in (0.02, 1.0, 3.0):
-        ties = [{**tie, "out_kn_m": factor * tie["out_kn_m"]} for tie in TIED]
-        result, verdict, _ = verdict_of([*behind(to_m=10.2), *ties], ag=0.25)
-        outcomes = [result.walls[k].assessment.verdict for k in verdict.results]
-        ways.append(way_key((one.code, one.zeta_e, 1.0) for one in outcomes))
-    assert ways == sorted(ways) and ways[0] < ways[1] <= ways[2]
-    assert all(result.walls[k].part.held for k in verdict.results)
+    for factor in (0.02, 0.7, 1.0, 3.0):
+        found = evaluated([{**tie, "out_kn_m": factor * tie["out_kn_m"]} for tie in TIED])
+        ways.append(way_key((hinge.outcome, hinge.zeta, 1.0) for hinge in found.hinges))
+    assert ways == sorted(set(ways))
+    assert {hinge.scene.wall.name for hinge in found.hinges} == {"f [0–3.4 m]", "f [3.4–6.8 m]", "f [6.8–10 m]"}
+
+
+def evaluated(ties, **keys):
+    """A facade with something behind it and these ties, by the clauses alone."""
+    demand = {"ag_g": 0.25, "spectrum": SPECTRUM}
+    wall = FACADE | {"hold": [*behind(to_m=10.2), *ties]} | keys
+    case = parse_case({"building": BUILDING, "demand": demand, "wall": [wall]})
+    return evaluate_wall(make_wall_context(case, 0, ROOT, read_inputs(case, ROOT)), None)
+
+
+@pytest.mark.shows("held.bars")
+def test_that_a_tie_between_two_stretches_goes_on_pulling_once_it_has_yielded():
+    """The weaker it is, the nearer the wall is to one that its upper tie alone holds."""
+    upper = TIED[2] | {"out_kn_m": 200.0}
+    (without,) = [hinge for hinge in evaluated([upper]).hinges if hinge.scene.wall.name == "f (0–10 m)"]
+    zetas = [without.zeta]
+    for force in (2.0, 5.0, 10.0):
+        found = evaluated([TIED[1] | {"out_kn_m": force}, upper])
+        names = [hinge.scene.wall.name for hinge in found.hinges]
+        assert "f [0–10, ~6.8 m]" in names and "f [0–6.8, −6.8 m]" in names
+        zetas.append(found.hinges[names.index("f [0–10, ~6.8 m]")].zeta)
+        brittle = {key: value for key, value in TIED[1].items() if key != "elongation_m"} | {"out_kn_m": force}
+        assert evaluated([brittle, upper]).zeta < zetas[-1]
+    assert zetas == sorted(set(zetas))
+
+
+def test_that_a_tie_that_yields_lets_the_wall_bend_up_to_it_and_from_it():
+    """Ties of 20 kN/m: over both the wall of 10 m comes to 1.010, but from 6.8 m up to 0.869 whatever they hold."""
+    ties = [tie | {"h_m": height} for tie, height in zip(TIED, (3.4, 6.8, 10.0), strict=True)]
+    held = find_held_ways(wall_of((*behind(to_m=10.2), *ties)))
+    assert [(part.low, part.high, part.within) for part in held[-1]] == [
+        (0.0, 10.0, False),
+        *((low, high, True) for low, high in ((0.0, 3.4), (0.0, 6.8), (3.4, 6.8), (3.4, 10.0), (6.8, 10.0))),
+    ]
+    assert [len(part.wall.in_si.yielded) for part in held[-1]] == [2, 0, 1, 0, 1, 0]
+    assert evaluated(ties).zeta <= 0.8686
+
+
+def test_that_a_stub_that_its_own_load_hardly_crushes_is_no_part_that_rocks():
+    """0.3 m of a wall of 0.45: with the setback of the whole wall 0.41 m wide, with its own 0.45 m, too stocky."""
+    wall = {"height_m": 6.3, "thickness_m": 0.45, "compressive_strength_mpa": 2.0}
+    ties = [TIED[0] | {"h_m": 3.0, "out_kn_m": 100.0}, TIED[2] | {"h_m": 6.0, "out_kn_m": 100.0}]
+    wall |= {"load": [FLOOR | {"h_m": 3.0, "d_m": 0.2}, FLOOR | {"h_m": 6.0, "d_m": 0.2}]}
+    assert evaluated([], hold=[*behind(to_m=6.3), *ties], **wall).zeta > 0.0
 
 
 def test_that_of_two_holds_between_which_a_wall_cannot_bend_the_higher_one_counts_until_it_gives_way():

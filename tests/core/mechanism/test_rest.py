@@ -10,16 +10,15 @@ from core.mechanism.rest import (
     Reach,
     base_reaction,
     greatest_at_top,
-    greatest_reaction,
-    holds_at_rest,
     least_at_top,
-    least_reaction,
-    multiplier_at_rest,
     simple_reactions,
+    top_holds,
+    top_multiplier,
 )
 from core.mechanism.sections import Sections
 from core.wall.block import Block
 from core.wall.masonry import Declared, Load, Masonry
+from tests.core.mechanism.polygon import greatest_reaction, holds_at_rest, least_reaction, multiplier_at_rest
 
 FREE = 1e7
 """A strength that is never reached [N/m]."""
@@ -102,6 +101,26 @@ def test_that_one_hold_has_the_closed_form_of_its_least_and_greatest_reaction(co
             assert greatest_reaction(sections, hold, 0, alpha) == pytest.approx(high, rel=1e-6)
         else:
             assert not holds_at_rest(sections, hold, alpha, friction=FREE)
+
+
+@pytest.mark.parametrize("count", [60, pytest.param(600, marks=pytest.mark.long)])
+def test_that_one_hold_at_the_top_is_that_of_the_polygon_under_loads_and_thrusts(count):
+    draw, held = random.Random(4), 0
+    for _ in range(count):
+        height, thickness = draw.uniform(2.0, 6.0), draw.uniform(0.25, 0.6)
+        loads = [(draw.uniform(0.0, 30.0), draw.uniform(0.2, 0.8) * thickness, height)]
+        plain = wall(height, thickness, draw.uniform(14.0, 22.0), loads)
+        thrusts = (Load("thrust", draw.uniform(-2e3, 2e3), 0.0, draw.uniform(0.1, 0.9) * height) for _ in "ab")
+        sections = Sections(replace(plain.wall, loads=(*plain.wall.loads, *thrusts)))
+        reach = Reach(height, draw.uniform(0.0, 3e4), draw.choice([0.0, 1e4]))
+        for friction in (0.4, FREE):
+            expected = multiplier_at_rest(sections, [reach], friction)
+            assert top_multiplier(sections, reach, friction) == pytest.approx(expected, rel=1e-5, abs=1e-7)
+            held += expected > 0.0
+            alpha = draw.uniform(0.0, 2.0) * (expected + 0.01)
+            if abs(alpha - expected) > 1e-5 * alpha:
+                assert top_holds(sections, reach, alpha, friction) == holds_at_rest(sections, [reach], alpha, friction)
+    assert held > count
 
 
 @pytest.mark.parametrize("count", [40, pytest.param(600, marks=pytest.mark.long)])

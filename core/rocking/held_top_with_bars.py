@@ -1,0 +1,478 @@
+"""Histories of a wall held at its top with ties along it that have yielded (resources/docs/physics.md, section 19).
+
+As held_top.py, with what the bars add to the work of the weights on each of their branches, and with more events: a bar
+becomes taut, yields, turns back, is slack, breaks (bar_state.py). Bars pull at a wall that moves outward alone; their elongations
+are in metres here.
+"""
+
+import functools
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from core.jit.decorators import kernel, subkernel
+from core.jit.fma import fma
+from core.rocking.bar_state import (
+    BREAKS_AT,
+    BROKEN,
+    PHASE,
+    RESIDUAL,
+    SLACK,
+    TAUT,
+    TAUT_AT,
+    YIELDING,
+    YIELDS_AT,
+    cross_kinks,
+)
+from core.rocking.events import IMPACTS_PER_SAMPLE, apply_impact, next_uplift, uplift_thresholds
+from core.rocking.grounds import Grounds
+from core.rocking.held_top import split_model
+from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
+from core.rocking.side_functions import (
+    DEGREE,
+    OVERLAP,
+    PIECES,
+    THETA,
+    Side,
+    V,
+    X,
+    rotation_at,
+    sides_of,
+    to_rotations,
+    to_y,
+    turned_by,
+)
+from core.rocking.side_series import (
+    SIDE_TOLERANCE,
+    TINIEST,
+    has_converged,
+    landing,
+    moved,
+    push_of,
+    root,
+    shift_polynomial,
+    speed_of,
+    terms_of,
+)
+from core.rocking.taylor_with_bars import STILL_TIME
+from core.units import G
+from core.wall.bars import BREAK, START, STIFFNESS, YIELD, Bar, bar_rows
+from core.wall.bending import HeldTop, near_rest
+from core.wall.moment_rotation import NEVER_REACHED
+from core.wall.rocking_model import RockingModel
+
+FORCE, SPRING, LENGTH = range(3)
+"""Functions of y of a bar: what a newton of it adds to v, what a newton per metre of it adds, its elongation [m]."""
+
+LANDINGS_AFTER = 3
+"""Landings after a record from which on no swing is larger than one before: each takes energy, and so does a bar."""
+
+
+class HeldBars(NamedTuple):
+    """The bars of a wall that bends.
+
+    values : polynomials of FORCE, SPRING and LENGTH in the pieces of y outward, shape (PIECES, bars, 3, DEGREE + 1)
+    rows : height [m], stiffness k [N/m2], elongations at yield, at the start and at break [m], shape (bars, 5)
+    held : room for the state of each, as of bar_state.py with elongations and y in place of sines and rotations
+    room : coefficients of v with the bars, shape (DEGREE + 1,)
+    """
+
+    values: np.ndarray
+    rows: np.ndarray
+    held: np.ndarray
+    room: np.ndarray
+
+
+@functools.lru_cache(maxsize=64)
+def _pulls_of(held: HeldTop, slenderness: float, collapse: tuple[float, float]) -> np.ndarray:
+    """`HeldBars.values`. slenderness : alpha of the model; collapse : theta_c of both sides [rad]"""
+    outward, motion = sides_of(held, slenderness, collapse)[0], held.side(1.0)
+    inertia, p2 = float(motion.parts(np.zeros(1))[0][0]), near_rest(motion, slenderness)[0]
+    nodes = OVERLAP * np.cos(math.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+    powers = np.vander(nodes, increasing=True)
+    theta = outward.values[:, THETA] @ powers.T
+    root_of_inertia = np.sqrt(motion.parts(theta.ravel())[0] / inertia).reshape(theta.shape)
+    values = np.zeros((PIECES, len(held.outward.bars), 3, DEGREE + 1))
+    for j, bar in enumerate(held.outward.bars):
+        length, rate = (part.reshape(theta.shape) for part in motion.stretched(theta.ravel(), bar))
+        force = rate / (root_of_inertia * inertia * p2)
+        for which, at_nodes in ((FORCE, force), (SPRING, force * length), (LENGTH, length)):
+            values[:, j, which] = np.linalg.solve(powers, at_nodes.T).T
+    return values
+
+
+def split_with_bars(model: RockingModel) -> tuple[RockingModel, Side, Side, HeldBars]:
+    """The model as the kernels take it, its sides and its bars."""
+    bare, outward, inward = split_model(model)
+    assert model.bending is not None
+    alpha = model.slenderness
+    collapse = alpha + model.restoring.lean, alpha + model.mirrored.lean
+    given = model.bending.outward.bars
+    rows = bar_rows(
+        [
+            Bar(bar.height, bar.strength / bar.elongation_at_yield, bar.elongation_at_yield, bar.slack, bar.breaks_at)
+            for bar in given
+        ]
+    )
+    values = _pulls_of(model.bending, alpha, collapse)
+    return bare, outward, inward, HeldBars(values, rows, np.zeros(rows.shape), np.zeros(DEGREE + 1))
+
+
+@subkernel
+def bar_length(j, y, side, bars):
+    """Elongation of the j-th bar at y [m]."""
+    at = y * side.scale
+    piece = min(max(int(at), 0), PIECES - 1)
+    s, total = 2.0 * (at - piece) - 1.0, 0.0
+    for n in range(DEGREE, -1, -1):
+        total = total * s + bars.values[piece, j, LENGTH, n]
+    return total
+
+
+@subkernel
+def invert_length(j, length, side, bars):
+    """y [rad] at which the j-th bar is as long as this [m]; never beyond where the wall has overturned."""
+    if bar_length(j, side.end, side, bars) <= length:
+        return NEVER_REACHED
+    low, high = 0.0, side.end
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if bar_length(j, middle, side, bars) < length:
+            low = middle
+        else:
+            high = middle
+    return high if length > 0.0 else 0.0
+
+
+@subkernel
+def set_length(j, residual, side, bars):
+    """Set the residual elongation of the j-th bar [m], and the places that follow."""
+    bars.held[j, RESIDUAL] = residual
+    bars.held[j, TAUT_AT] = invert_length(j, residual, side, bars)
+    bars.held[j, YIELDS_AT] = invert_length(j, residual + bars.rows[j, YIELD], side, bars)
+
+
+@subkernel
+def begin_bars(y, side, bars):
+    """Set the bars at the start of a history. y : outward then [rad]"""
+    for j in range(bars.rows.shape[0]):
+        length = bar_length(j, y, side, bars)
+        set_length(j, max(bars.rows[j, START], length - bars.rows[j, YIELD]), side, bars)
+        bars.held[j, BREAKS_AT] = invert_length(j, bars.rows[j, BREAK], side, bars)
+        taut = SLACK if y < bars.held[j, TAUT_AT] else TAUT
+        bars.held[j, PHASE] = BROKEN if length > bars.rows[j, BREAK] else taut
+
+
+@subkernel
+def residual_length(j, y, side, bars):
+    """Residual elongation of the j-th bar [m], also while it yields, inf where it has gone."""
+    if bars.held[j, PHASE] == BROKEN:
+        return math.inf
+    if bars.held[j, PHASE] == YIELDING:
+        return bar_length(j, y, side, bars) - bars.rows[j, YIELD]
+    return bars.held[j, RESIDUAL]
+
+
+@subkernel
+def turn_back(y, side, bars):
+    """The bars that yield are taut where the wall turns back, at y [rad]."""
+    for j in range(bars.rows.shape[0]):
+        if bars.held[j, PHASE] == YIELDING:
+            set_length(j, bar_length(j, y, side, bars) - bars.rows[j, YIELD], side, bars)
+            bars.held[j, YIELDS_AT] = y
+            bars.held[j, PHASE] = TAUT
+
+
+@subkernel
+def ends_of_branch(sign, bars):
+    """y between which no bar changes what it does [rad]."""
+    low, high = 0.0, NEVER_REACHED
+    if sign > 0.0:
+        for j in range(bars.rows.shape[0]):
+            phase = bars.held[j, PHASE]
+            if phase == SLACK:
+                high = min(high, bars.held[j, TAUT_AT])
+            elif phase == TAUT:
+                low = max(low, bars.held[j, TAUT_AT])
+                high = min(high, bars.held[j, YIELDS_AT], bars.held[j, BREAKS_AT])
+            elif phase == YIELDING:
+                high = min(high, bars.held[j, BREAKS_AT])
+    return low, high
+
+
+@subkernel
+def series_on_branch(y, speed, sign, beta, slope, p2, side, bars, h):
+    """`side_series.series` with what the bars add to v on their branch.
+
+    y, speed, beta, slope, p2, side, h : of that
+    sign : of the side, 1.0 outward
+    bars : HeldBars
+    """
+    at = y * side.scale
+    piece = min(max(int(at), 0), PIECES - 1)
+    s, per = 2.0 * (at - piece) - 1.0, 2.0 * side.scale
+    for n in range(DEGREE + 1):
+        bars.room[n] = side.values[piece, V, n]
+    if sign > 0.0:
+        for j in range(bars.rows.shape[0]):
+            phase, stiffness = bars.held[j, PHASE], bars.rows[j, STIFFNESS]
+            if phase == TAUT:
+                residual = bars.held[j, RESIDUAL]
+                for n in range(DEGREE + 1):
+                    force = bars.values[piece, j, FORCE, n]
+                    bars.room[n] += stiffness * (bars.values[piece, j, SPRING, n] - residual * force)
+            elif phase == YIELDING:
+                for n in range(DEGREE + 1):
+                    bars.room[n] += stiffness * bars.rows[j, YIELD] * bars.values[piece, j, FORCE, n]
+    terms = terms_of(
+        speed, beta, slope, p2, per, shift_polynomial(s, bars.room), shift_polynomial(s, side.values[piece, X])
+    )
+    if not has_converged(terms[7], h, side.top):
+        h = min(h, (SIDE_TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
+    return terms, h, s, per
+
+
+@subkernel
+def step_one_way(y, speed, terms, h, s, per, least):
+    """A step that ends where the wall turns: length [s], y and y' after it.
+
+    y, speed, terms, h, s, per, least : of `side_series.step_of`
+    """
+    while abs(s + per * moved(terms, h)) > OVERLAP and h > least:
+        h *= 0.5
+    v = speed_of(terms, h)
+    slows = (terms[1] > 0.0) == (speed < 0.0) and (push_of(terms, h) > 0.0) != (terms[1] > 0.0)
+    if slows and speed != 0.0 and (v < 0.0) == (speed < 0.0):  # it may turn twice
+        slow = root(2, y, terms, 0.0, h)
+        if (speed_of(terms, slow) < 0.0) != (speed < 0.0):
+            h, v = slow, speed_of(terms, slow)
+    if speed < 0.0 < v or v < 0.0 < speed:
+        h, v = root(1, y, terms, 0.0, h), 0.0
+    return h, y + moved(terms, h), v
+
+
+@subkernel
+def through_sample_on_branches(
+    y,
+    speed,
+    sign,
+    moving,
+    impacts,
+    instant,
+    ground0,
+    slope,
+    dt,
+    model,
+    thresholds,
+    outward,
+    inward,
+    bars,
+    impact_time,
+    impact_velocity,
+    peaks,
+):
+    """`held_top.through_sample` of a wall with bars.
+
+    y, speed, sign, moving, impacts, instant, ground0, slope, dt, model, thresholds : of that
+    outward, inward, impact_time, impact_velocity, peaks : of that
+    bars : HeldBars
+    """
+    p2, t, events = model.p2, 0.0, 0
+    while t < dt:
+        if not moving:
+            t, sign = next_uplift(ground0, slope, t, dt, thresholds)
+            if t >= dt:
+                break
+            moving, y, speed = True, 0.0, 0.0
+        side, k = (outward, 0) if sign > 0.0 else (inward, 1)
+        beta, rate = sign / G * fma(slope, t, ground0), sign / G * slope
+        terms, holds, s, per = series_on_branch(y, speed, sign, beta, rate, p2, side, bars, dt - t)
+        h, x, v = step_one_way(y, speed, terms, holds, s, per, 1e-9 * dt)
+        low, high = ends_of_branch(sign, bars)
+        rises, falls = x > high, x < low and low > 0.0
+        if rises or falls:
+            end = high if rises else low
+            h = root(0, y - end, terms, 0.0, h)
+            x, v = end, speed_of(terms, h)
+        elif x < 0.0 or (x == 0.0 and v < 0.0):
+            h = landing(y, terms, h)
+            arriving = max(-speed_of(terms, h), 0.0)
+            t = t + h if h < dt - t else dt
+            y, now = 0.0, fma(slope, t, ground0)
+            speed, sign, moving, _, stuck = apply_impact(
+                arriving, sign, now, model, thresholds, h, instant + t, impacts, impact_time, impact_velocity
+            )
+            t += 1e-12 * dt if stuck else 0.0
+            impacts += 1
+            events += 1
+            if events > IMPACTS_PER_SAMPLE:
+                return y, speed, sign, moving, impacts, IMPACT_LIMIT
+            continue
+        turns = v == 0.0 and speed > 0.0 and sign > 0.0
+        t = t + h if h < dt - t else dt
+        y, speed = x, v
+        peaks[k] = max(peaks[k], y)
+        if rises or falls:
+            cross_kinks(y, falls, bars.rows, bars.held)
+            events += 1
+            if events > IMPACTS_PER_SAMPLE:
+                return y, speed, sign, moving, impacts, IMPACT_LIMIT
+        if turns:
+            turn_back(y, side, bars)
+        if y > side.end:
+            return y, speed, sign, moving, impacts, COLLAPSED
+    return y, speed, sign, moving, impacts, STABLE
+
+
+@subkernel
+def outcome_in_still_ground(y, speed, sign, moving, dt, model, thresholds, outward, inward, bars, none, peaks):
+    """What the wall does once its record has ended: it is followed through LANDINGS_AFTER. One that leans on its bars
+    beyond collapse, and stays there, has collapsed.
+
+    y, speed, sign, moving, dt, model, thresholds, outward, inward, bars, peaks : of `through_sample_on_branches`
+    none : in place of the impacts, shape (0,)
+    """
+    landed = 0
+    for _ in range(int(STILL_TIME / (math.sqrt(model.p2) * dt)) + 1):
+        if not moving or landed >= LANDINGS_AFTER:
+            return STABLE
+        y, speed, sign, moving, landed, outcome = through_sample_on_branches(
+            y,
+            speed,
+            sign,
+            moving,
+            landed,
+            0.0,
+            0.0,
+            0.0,
+            dt,
+            model,
+            thresholds,
+            outward,
+            inward,
+            bars,
+            none,
+            none,
+            peaks,
+        )
+        if outcome != STABLE:
+            return outcome
+    return COLLAPSED if y > (outward.top if sign > 0.0 else inward.top) else STABLE
+
+
+@kernel
+def integrate_with_bars(
+    ground, dt, scale, model, outward, inward, bars, start, trace, impact_time, impact_velocity, none, peaks
+):
+    """`held_top.integrate` of a wall with bars.
+
+    ground, dt, scale, model, outward, inward, start, impact_time, impact_velocity, peaks : of that
+    bars : HeldBars
+    trace : results, y, y' and the residual elongations [m] at the samples, shape (2 + bars, n); of shape (0, 0) none
+    none : of `outcome_in_still_ground`
+    """
+    thresholds = uplift_thresholds(model)
+    peaks[:] = 0.0
+    sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
+    y, speed = sign * start[0], sign * start[1]
+    moving, impacts = y != 0.0 or speed != 0.0, 0
+    peaks[0 if sign > 0.0 else 1] = y
+    begin_bars(max(start[0], 0.0), outward, bars)
+    kept = trace.shape[0] > 0
+    for i in range(ground.size):
+        if kept:
+            trace[0, i] = sign * y if moving else 0.0
+            trace[1, i] = sign * speed if moving else 0.0
+            for j in range(bars.rows.shape[0]):
+                trace[2 + j, i] = residual_length(j, y if sign > 0.0 else 0.0, outward, bars)
+        if i == ground.size - 1:
+            break
+        ground0, slope = scale * ground[i], scale * (ground[i + 1] - ground[i]) / dt
+        y, speed, sign, moving, impacts, outcome = through_sample_on_branches(
+            y,
+            speed,
+            sign,
+            moving,
+            impacts,
+            i * dt,
+            ground0,
+            slope,
+            dt,
+            model,
+            thresholds,
+            outward,
+            inward,
+            bars,
+            impact_time,
+            impact_velocity,
+            peaks,
+        )
+        if outcome != STABLE:
+            return outcome, impacts, i + 1
+    outcome = outcome_in_still_ground(y, speed, sign, moving, dt, model, thresholds, outward, inward, bars, none, peaks)
+    return outcome, impacts, ground.size
+
+
+@kernel
+def scan_with_bars(
+    ground,
+    dt,
+    firsts,
+    lasts,
+    strongest,
+    which,
+    scales,
+    model,
+    outward,
+    inward,
+    bars,
+    none,
+    trace,
+    both,
+    outcomes,
+    peaks,
+):
+    """Analyses one after the other.
+
+    ground, dt, firsts, lasts, strongest, which, scales, model, outward, inward : of `held_lanes.one_pass`
+    outcomes, peaks : of that
+    bars, none, trace : of `integrate_with_bars`
+    both : its peaks, room of shape (2,)
+    """
+    thresholds = uplift_thresholds(model)
+    for m in range(scales.size):
+        record = which[m]
+        outcomes[m], peaks[m] = STABLE, 0.0
+        if abs(scales[m]) * strongest[record] > (1.0 - 1e-9) * min(thresholds[0], thresholds[1]):
+            own = ground[firsts[record] : lasts[record] + 1]
+            outcomes[m], _, _ = integrate_with_bars(
+                own, dt, scales[m], model, outward, inward, bars, (0.0, 0.0), trace, none, none, none, both
+            )
+            peaks[m] = max(turned_by(both[0], outward), turned_by(both[1], inward))
+
+
+def scan(grounds: Grounds, which, scales, model: RockingModel, outcomes, peaks) -> np.ndarray:
+    """`held_lanes.scan` of a wall with bars."""
+    parts = split_with_bars(model)
+    records = grounds.ground, grounds.dt, grounds.first, grounds.last, grounds.strongest
+    scan_with_bars(*records, which, scales, *parts, np.zeros(0), np.zeros((0, 0)), np.zeros(2), outcomes, peaks)
+    return np.zeros(scales.size, np.int64)
+
+
+def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity) -> tuple[int, float, int, int, int]:
+    """`held_top.history` of a wall with bars.
+
+    ground, dt, scale, model, start, impact_time, impact_velocity : of that
+    trace : with their residual elongations [m], shape (2 + bars, n)
+    """
+    bare, outward, inward, bars = split_with_bars(model)
+    sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
+    y, speed = to_y(sign * start[0], sign * start[1], outward if sign > 0.0 else inward)
+    parts, peaks = (bare, outward, inward, bars), np.zeros(2)
+    room = trace, impact_time, impact_velocity, np.zeros(0), peaks
+    outcome, impacts, done = integrate_with_bars(ground, dt, scale, *parts, (sign * y, sign * speed), *room)
+    to_rotations(trace[0], trace[1], outward, inward)
+    to_rotations(np.zeros(impact_velocity.size), impact_velocity, outward, inward)
+    peak = max(float(rotation_at(peaks[0], outward)), float(rotation_at(peaks[1], inward)))
+    return outcome, peak, impacts, 0, done
