@@ -1,8 +1,8 @@
 """Histories of a wall held at its top with ties along it that have yielded (resources/docs/physics.md, section 19).
 
 As held_top.py, with what the bars add to the work of the weights on each of their branches, and with more events: a bar
-becomes taut, yields, turns back, is slack, breaks (bar_state.py). Bars pull at a wall that moves outward alone; their elongations
-are in metres here.
+becomes taut, yields, turns back, is slack, breaks (bar_state.py). Bars pull at a wall that moves outward alone; their
+elongations are in metres here.
 """
 
 import functools
