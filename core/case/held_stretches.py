@@ -71,8 +71,8 @@ def find_held_ways(wall: Wall) -> list[list[HeldStretch]]:
     ways: list[list[HeldStretch]] = []
     gone: tuple[float, ...] = ()
     while stretches := find_held_stretches(left := _without(wall, gone), yielded := _yielded_at(wall, gone)):
-        stretches = [*stretches, *_stretches_at_bars(left, stretches, yielded)]
-        ways.append([stretch._replace(gone=gone) for stretch in (*stretches, *_bent_inward(left, stretches))])
+        more = (*_stretches_at_bars(left, stretches, yielded), *_bent_inward(left, stretches))
+        ways.append([stretch._replace(gone=gone) for stretch in (*stretches, *more)])
         lost = _first_to_go(stretches)
         if lost is None:
             break
@@ -117,7 +117,9 @@ def _stretches_at_bars(
             if high - low < least or (low, high) == (whole.low, whole.high) or not bears_stretch(wall, low, high):
                 continue
             span = cut_span(wall, low, high, foot_stays=low > whole.low or whole.low > 0.0)
-            top, held = span.hold[-1], whole.wall.hold[-1]
+            ties = (tie for tie in yielded if tie.h_m in (low, high))
+            named = min(ties, key=lambda tie: tie.shows_strength)  # of both the one that nothing shows
+            top, held = replace(span.hold[-1], name=named.name, evidence=named.evidence), whole.wall.hold[-1]
             if high == whole.high and isinstance(held, ShareOfHold):
                 beside = max(held.beside_kn_m, _beside(wall, low, high, last=high == stretches[-1].high))
                 top = replace(held, h_m=high - low, beside_kn_m=beside, backed=is_stopped(wall, low, high))

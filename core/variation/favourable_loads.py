@@ -78,7 +78,8 @@ def favourable_weights(scene: CheckInput) -> Iterator[FavourableInput]:
     ends = [(change, said) for change, said in choices if weights and _may_be(scene, change(wall))]
     if ends:
         others = tuple(Alternative(_with_loads(change), said) for change, said in ends)
-        value = sentence("word", f"choice_{weights[0].mass}")
+        of_all = {load.mass for load in weights}
+        value = sentence("word", f"choice_{weights[0].mass}") if len(of_all) == 1 else GIVEN_WORD
         yield FavourableInput("lift_mass", "mass", wall.evidence, value, others)
 
 

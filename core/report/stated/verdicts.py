@@ -80,6 +80,8 @@ MEASURE = (
     number("zeta", "-", "zeta of the wall with it"),
     numbers("heights_m", "m", "at which it acts", "heights"),
     whole("bar_mm", "diameter of the bars of a tie", lambda of: of.bar[0]),
+    texts("to_show", "keys of what documents must show once it is there"),
+    texts("to_look_at", "mechanisms that have to be looked at once it is there"),
 )
 """Quantities read from Measure."""
 
