@@ -18,7 +18,8 @@ from core.case.detached import make_leaf_wall
 from core.case.held_top import mirror_inward
 from core.case.loads import Load
 from core.case.wall import Wall
-from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
+from core.codes.bending_outline import outlines, shown_rotation
+from core.codes.vertical_bending import Bending, bending
 from core.errors import InputError
 from core.known import require_value
 from core.report.load_arrows import MIN_ARROW, arrows

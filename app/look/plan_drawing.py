@@ -7,7 +7,8 @@ from app.look import theme
 from app.look.language import number
 from core.case.spanning import make_spanning_part, spans
 from core.case.wall import Wall
-from core.codes.vertical_bending import Bending, bending, outlines, shown_rotation
+from core.codes.bending_outline import outlines, shown_rotation
+from core.codes.vertical_bending import Bending, bending
 from core.errors import InputError
 
 SHARE, MARGIN = 0.4, 10.0

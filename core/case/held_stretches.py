@@ -7,31 +7,28 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge
+from core.case.above_holds import (
+    SAME_HEIGHT,
+    find_part_above,
+    find_stub_above,
+    rocks_above,
+    stands_above,
+    upper_share,
+    weight_beside,
+)
 from core.case.held_top import mirror_inward
 from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.loads import Load
-from core.case.spans_between_ties import bears_stretch, cut_span, is_backed, is_one_sheet, is_stopped, weight_above
+from core.case.spans_between_ties import bears_stretch, cut_span, is_backed, is_one_sheet, is_stopped
 from core.case.wall import Wall
 from core.codes.vertical_bending import MIN_SLENDERNESS, lowest_hinge, start_multiplier
 from core.errors import InputError
 from core.known import require_value
 from core.units import G
 from core.wall.bending import strip_of
-from core.wall.masonry import PartAbove, StubAbove
-from core.wall.solids import contact_at
-
-SAME_HEIGHT = 0.05
-"""Holds and loads nearer than this act at one height [m]."""
-
 
 BRITTLE = 0.5
 """Share of its force that a tie which stands no elongation beyond yield holds: the wall runs into it."""
-
-
-STUB_PUSH = 1.4
-"""alpha up to which what is above the highest hold is looked at: a plain block that stands more is too stocky to rock,
-its restitution (Eq. 4) is negative beyond 1.41."""
 
 
 BENDS_WELL_BEFORE = 1.25
@@ -121,7 +118,7 @@ def _stretches_at_bars(
             named = min(ties, key=lambda tie: tie.shows_strength)  # of both the one that nothing shows
             top, held = replace(span.hold[-1], name=named.name, evidence=named.evidence), whole.wall.hold[-1]
             if high == whole.high and isinstance(held, ShareOfHold):
-                beside = max(held.beside_kn_m, _beside(wall, low, high, last=high == stretches[-1].high))
+                beside = max(held.beside_kn_m, weight_beside(wall, low, high, last=high == stretches[-1].high))
                 top = replace(held, h_m=high - low, beside_kn_m=beside, backed=is_stopped(wall, low, high))
             part = replace(span, hold=(*span.hold[:-1], top))
             yield _add_bars(HeldStretch(low, high, part, within=True), yielded)
@@ -236,7 +233,7 @@ def refuse_uncounted_holds(wall: Wall, here) -> None:
         raise InputError("hold_nothing_behind", place=here, key="out_kn_m", height=highest)
     if load := next(filter(pulls, wall.load), None):
         raise InputError("hold_thrust_between", place=here, key="out_kn_m", height=load.h_m)
-    if wall.leans and wall.height_m is not None and is_one_sheet(wall) and not _stands_above(wall, highest):
+    if wall.leans and wall.height_m is not None and is_one_sheet(wall) and not stands_above(wall, highest):
         raise InputError("hold_stub_falls", place=here, key="out_kn_m", height=highest)
     raise InputError("hold_not_counted", place=here, key="out_kn_m", least=MIN_SLENDERNESS)
 
@@ -245,7 +242,7 @@ def _stretches_between(wall: Wall, levels: list[Hold], yielded: tuple[ShareOfHol
     """The stretches of a wall between its base and these holds, with the ties that have yielded; empty as
     `find_held_stretches` says."""
     pairs = list(pairwise([0.0, *(require_value(level.h_m) for level in levels)]))
-    if not _stands_above(wall, pairs[-1][1]):
+    if not stands_above(wall, pairs[-1][1]):
         return []
     if not all(bears_stretch(wall, low, high) for low, high in pairs):
         return []
@@ -275,15 +272,15 @@ def _share_levels(
 ) -> list[HeldStretch]:
     """The stretches with what each hold has for them."""
     halves = [0.5 * _pushed(stretch) for stretch in stretches]
-    above = _rocks_above(wall, *pairs[-1])
-    beside = [_beside(wall, *pair, last=pair == pairs[-1] and above is None) for pair in pairs]
+    above = find_part_above(wall, *pairs[-1])
+    beside = [weight_beside(wall, *pair, last=pair == pairs[-1] and above is None) for pair in pairs]
     held = []
     for n, ((low, high), stretch) in enumerate(zip(pairs, stretches, strict=True)):
         from_below, from_above = halves[n] + beside[n], sum(halves[n + 1 : n + 2])
         top = _share(levels[n], high - low, from_below / (from_below + from_above), beside[n])
         top = replace(top, backed=is_stopped(wall, low, high))
         if n == len(pairs) - 1:
-            top = replace(top, rocking=above, stub=None if above else _stub_above(wall, high))
+            top = replace(top, rocking=above, stub=None if above else find_stub_above(wall, high))
         foot: tuple[ShareOfHold, ...] = ()
         if n > 0:
             under = halves[n - 1] + beside[n - 1]
@@ -306,44 +303,9 @@ def _less_thrusts(wall: Wall, levels: list[Hold], pairs: list[tuple[float, float
             return []
         if n is None:  # between two
             continue
-        taken = require_value(load.kn_m) * max(1.0, _lever(load.h_m, *pairs[n]))
+        taken = require_value(load.kn_m) * max(1.0, upper_share(load.h_m, *pairs[n]))
         left[n] = replace(left[n], out_kn_m=max(0.0, require_value(left[n].out_kn_m) - taken))
     return left
-
-
-def _stands_above(wall: Wall, top: float) -> bool:
-    """Whether what is above the highest hold turns about it as a part that is looked at, or is a stub that stands
-    without an earthquake."""
-    return rocks_above(wall, top) or _push_of_stub(wall, top) > 0.0
-
-
-def rocks_above(wall: Wall, top: float) -> bool:
-    """Whether what is above a height of a wall is looked at as a part of its own: what is so low that a plain wall
-    there stands STUB_PUSH is not."""
-    left = require_value(wall.height_m) - top
-    if left < MIN_HEIGHT_ABOVE:
-        return False
-    faces = contact_at(wall.parts, top) if wall.parts else None
-    thickness = min(wall.thickness or math.inf, faces[1] - faces[0] if faces else math.inf)
-    return STUB_PUSH * left > thickness - 2.0 * cut_above_hinge(wall, top).setback
-
-
-def _push_of_stub(wall: Wall, top: float) -> float:
-    """Least alpha at which what is above a height of a wall turns about one of its edges there, with what it carries
-    [-]; inf of a wall of unknown weight."""
-    if wall.unit_weight_kn_m3 is None or wall.thickness is None:
-        return math.inf
-    weight, x, over = weight_above(wall, top)
-    outer, inner = (contact_at(wall.parts, top) if wall.parts else None) or (0.0, wall.thickness)
-    outward, inward = weight * (x - outer - wall.setback), weight * (inner - wall.setback - x)
-    pushed = weight * over
-    for load in (load for load in wall.load if load.h_m > top + SAME_HEIGHT):
-        size, lever = require_value(load.kn_m), load.h_m - top
-        outward += size * (require_value(load.d_m) - outer - wall.setback) if load.is_weight else -size * lever
-        inward += size * (inner - wall.setback - require_value(load.d_m)) if load.is_weight else size * lever
-        pushed += size * lever if load.is_weight and load.pushes else 0.0
-    held = min(outward, inward)
-    return held / pushed if pushed > 0.0 else math.copysign(math.inf, held)
 
 
 def highest_anchors(wall: Wall) -> set[float]:
@@ -426,45 +388,3 @@ def _spaced_sets(wall: Wall, levels: list[Hold]) -> Iterator[list[Hold]]:
             if far and _is_stopped(wall, kept[-1]) and not any(larger.issuperset(kept) for larger in spaced):
                 spaced.append(set(kept))
                 yield [level for level in levels if require_value(level.h_m) in kept]
-
-
-def _beside(wall: Wall, low: float, high: float, last: bool) -> float:
-    """Weight [kN/m] whose inertia goes to the hold at the top of a stretch beside what the stretch hands to it: what
-    the wall carries there, and above the highest hold all that is above, by its lever over the stretch."""
-    carried = [load for load in wall.load if load.is_weight and load.pushes]
-    above = [load for load in carried if (load.h_m >= high if last else abs(load.h_m - high) <= SAME_HEIGHT)]
-    beside = sum(require_value(load.kn_m) * max(1.0, _lever(load.h_m, low, high)) for load in above)
-    if last and require_value(wall.height_m) > high:
-        weight, _, over = weight_above(wall, high)
-        beside += weight * _lever(high + over, low, high)
-    return beside
-
-
-def _rocks_above(wall: Wall, low: float, high: float) -> PartAbove | None:
-    """What rocks above the highest hold of a wall; None where that is too little to be looked at. low, high : of the
-    stretch below the hold [m]"""
-    if not rocks_above(wall, high):
-        return None
-    above = cut_above_hinge(wall, high).without_ties()
-    own = replace(above, hold=(), mechanism="two_sided").in_si
-    block, weight = own.block, own.moving_weight
-    rise = block.radius * math.cos(block.slenderness)
-    multiplier = max(side.sine * math.tan(sides.slenderness) + side.cosine for sides, side in own.sides)
-    growth = weight * (1.0 - block.p2 * rise**2 / (G * block.radius))
-    return PartAbove(weight, 1.0 + rise / (high - low), max(0.0, multiplier), growth)
-
-
-def _stub_above(wall: Wall, top: float) -> StubAbove | None:
-    """What may fall off the highest hold of a wall, at a height [m], before STUB_PUSH; None of a stub that stands that,
-    or of unknown weight."""
-    multiplier = _push_of_stub(wall, top)
-    if multiplier >= STUB_PUSH:
-        return None
-    carried = (load for load in wall.load if load.is_weight and load.pushes and load.h_m > top + SAME_HEIGHT)
-    weight = weight_above(wall, top)[0] + sum(require_value(load.kn_m) for load in carried)
-    return StubAbove(1e3 * weight, multiplier)
-
-
-def _lever(height: float, low: float, high: float) -> float:
-    """Share of a force at a height that goes to the upper end of a stretch, a simple beam."""
-    return (height - low) / (high - low)

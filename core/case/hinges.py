@@ -5,10 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from core.case.above_hinge import MIN_HEIGHT_ABOVE, cut_above_hinge, part_name
+from core.case.above_holds import rocks_above
 from core.case.detached import leaf_label, make_leaf_wall
 from core.case.directions import directions_of, falls_all_ways
 from core.case.floor_loads import add_corner_thrust, add_floor_loads
-from core.case.held_stretches import HeldStretch, find_held_ways, highest_anchors, rocks_above
+from core.case.held_stretches import HeldStretch, find_held_ways, highest_anchors
 from core.case.held_top import mirror_inward
 from core.case.hold import Hold, ShareOfHold, hold_kind
 from core.case.schema import Case

@@ -2,7 +2,6 @@
 C8.7.1.2.1.1 to .3); core/wall/bending.py has the blocks."""
 
 import functools
-import itertools
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -28,7 +27,7 @@ from core.wall.bending import (
 )
 from core.wall.masonry import COUNTED, Masonry
 from core.wall.rocking_model import RockingModel, bending_model
-from core.wall.solids import changes, faces_at
+from core.wall.solids import changes
 
 MIN_SLENDERNESS = 3.0
 """Smallest H/t: both blocks are at least as high as thick, and stockier walls do not bend."""
@@ -53,8 +52,6 @@ BISECTIONS = 50
 ROTATION_STEP = 1e-2
 """Step between two rotations at which the multiplier is looked at for a change of sign [rad]."""
 
-DRAWN_ROTATION = math.radians(4.0)
-"""Rotation of the lower block in drawings, less where the wall has fallen before."""
 
 LOST = 0.5
 """Share of the largest capacity of whose loss d_SLV is the end (C8.7.1.2.1.6)."""
@@ -439,33 +436,3 @@ def hinges_in_histories(model: RockingModel, displacement: Bending | None) -> tu
         if all(abs(h1 - other) > MIN_HINGE_DISTANCE * held.outward.height for other in distinct):
             distinct.append(h1)
     return tuple(HingeAt(h1) for h1 in distinct)
-
-
-def shown_rotation(mechanism: Bending) -> float:
-    """theta of the lower block [rad] in a drawing."""
-    return min(DRAWN_ROTATION, mechanism.theta0)
-
-
-def outlines(strip: Strip, h1: float, theta: float) -> list[list[tuple[float, float]]]:
-    """Corners of the lower and of the upper block, closed, x inward and z up [m], for every drawing."""
-    turn, at, height = displaced_blocks(strip, h1, theta), hinges_of(strip, h1), strip.height
-
-    def placed(x: float, z: float, about: tuple[float, float], to: tuple[float, float], angle: float):
-        c, s = math.cos(angle), math.sin(angle)
-        a, b = x - about[0], z - about[1]
-        return to[0] + a * c - b * s, to[1] + b * c + a * s
-
-    def block(low: float, high: float) -> list[tuple[float, float]]:
-        levels = [low, *(z for z in changes(strip.parts) if low < z < high), high] if strip.parts else [low, high]
-        rows = []
-        for below, above in itertools.pairwise(levels):
-            faces = faces_at(strip.parts, below), faces_at(strip.parts, above, below=True)
-            rows += [(z, pair or (0.0, strip.thickness)) for z, pair in zip((below, above), faces, strict=True)]
-        corners = [(pair[1], z) for z, pair in rows]
-        return [(rows[0][1][0], low), *corners, *((pair[0], z) for z, pair in reversed(rows))]
-
-    foot, hinge = (at.base, 0.0), (at.between, h1)
-    return [
-        [placed(x, z, foot, foot, theta) for x, z in block(0.0, h1)],
-        [placed(x, z, hinge, turn.hinge, -turn.phi) for x, z in block(h1, height)],
-    ]

@@ -1,6 +1,7 @@
 """Figure of a wall held at its top: both blocks as they turn, and their three hinges."""
 
-from core.codes.vertical_bending import bending, outlines, shown_rotation
+from core.codes.bending_outline import outlines, shown_rotation
+from core.codes.vertical_bending import bending
 from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
 from core.report.note.words import Words

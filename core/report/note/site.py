@@ -2,7 +2,7 @@
 
 import math
 
-from core.case.held_stretches import SAME_HEIGHT
+from core.case.above_holds import SAME_HEIGHT
 from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.wall import Wall
