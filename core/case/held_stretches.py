@@ -68,7 +68,8 @@ def find_held_ways(wall: Wall) -> list[list[HeldStretch]]:
     ways: list[list[HeldStretch]] = []
     gone: tuple[float, ...] = ()
     while stretches := find_held_stretches(left := _without(wall, gone), yielded := _yielded_at(wall, gone)):
-        more = (*_stretches_at_bars(left, stretches, yielded), *_bent_inward(left, stretches))
+        within = list(_stretches_at_bars(left, stretches, yielded))
+        more = (*within, *_bent_inward(left, stretches, within))
         ways.append([stretch._replace(gone=gone) for stretch in (*stretches, *more)])
         lost = _first_to_go(stretches)
         if lost is None:
@@ -83,10 +84,15 @@ def _without(wall: Wall, gone: tuple[float, ...]) -> Wall:
     return replace(wall, hold=tuple(hold for hold in left if hold is not None)) if gone else wall
 
 
+MOST_YIELDED = 3
+"""Ties that go on pulling once they have yielded, the strongest: of more the others are left out, the safe side."""
+
+
 def _yielded_at(wall: Wall, gone: tuple[float, ...]) -> tuple[ShareOfHold, ...]:
     """The ties at some heights [m] that go on pulling once they have yielded. A prestress is left out: they yield the
     later."""
-    ties = ((hold, hold.tie(wall.length_m)) for hold in wall.ties if _is_at(hold, gone) and not hold.slack_mm)
+    ties = [(hold, hold.tie(wall.length_m)) for hold in wall.ties if _is_at(hold, gone) and not hold.slack_mm]
+    ties = sorted(ties, key=lambda tie: -tie[1].bar.strength)[:MOST_YIELDED]
     return tuple(
         ShareOfHold(
             TIE,
@@ -108,13 +114,14 @@ def _stretches_at_bars(
     making that tie longer. What holds the top of one that ends at a hold is that of the stretch over the ties."""
     least = MIN_SLENDERNESS * require_value(wall.thickness)
     for whole in stretches:
-        inside = (require_value(tie.h_m) for tie in yielded)
-        places = [whole.low, *sorted(h for h in inside if whole.low < h < whole.high), whole.high]
+        inside = sorted(h for h in map(_height, yielded) if whole.low + SAME_HEIGHT < h < whole.high - SAME_HEIGHT)
+        apart = [h for h, before in zip(inside, [-math.inf, *inside], strict=False) if h - before > SAME_HEIGHT]
+        places = [whole.low, *apart, whole.high]
         for low, high in itertools.combinations(places, 2):
             if high - low < least or (low, high) == (whole.low, whole.high) or not bears_stretch(wall, low, high):
                 continue
             span = cut_span(wall, low, high, foot_stays=low > whole.low or whole.low > 0.0)
-            ties = (tie for tie in yielded if tie.h_m in (low, high))
+            ties = (tie for tie in yielded if any(abs(_height(tie) - end) <= SAME_HEIGHT for end in (low, high)))
             named = min(ties, key=lambda tie: tie.shows_strength)  # of both the one that nothing shows
             top, held = replace(span.hold[-1], name=named.name, evidence=named.evidence), whole.wall.hold[-1]
             if high == whole.high and isinstance(held, ShareOfHold):
@@ -146,15 +153,17 @@ def _place(stretches: list[HeldStretch]) -> tuple[float, float]:
     return stretches[-1].high, min(*_pushes_of_holds(stretches).values(), _start_of_bending(stretches))
 
 
-def _bent_inward(wall: Wall, stretches: list[HeldStretch]) -> Iterator[HeldStretch]:
-    """A wall as it bends inward over anchors and ties that pull and stop nothing: between what is behind it."""
+def _bent_inward(wall: Wall, stretches: list[HeldStretch], within: list[HeldStretch]) -> Iterator[HeldStretch]:
+    """A wall as it bends inward over anchors and ties that pull and stop nothing: between what is behind it. within :
+    stretches that end at ties, which bend both ways where no strength inward is said"""
     heights = {height: stretch.wall.hold[-1] for stretch in stretches if _is_stopped(wall, height := stretch.high)}
     behind = {require_value(hold.h_m): hold for hold in wall.hold if hold.is_contact and hold.has_height}
     apart = {height: hold for height, hold in behind.items() if all(abs(height - at) > SAME_HEIGHT for at in heights)}
     tops = {height: hold for height, hold in (heights | apart).items() if height <= stretches[-1].high}
     least = MIN_SLENDERNESS * require_value(wall.thickness)
     for low, high in pairwise([0.0, *sorted(tops)]):
-        looked_at = any(stretch.low == low and stretch.high == high for stretch in stretches)
+        both_ways = stretches if tops[high].in_kn_m is not None else [*stretches, *within]
+        looked_at = any(stretch.low == low and stretch.high == high for stretch in both_ways)
         if not looked_at and high - low >= least and not is_backed(wall, low, high):
             span = mirror_inward(cut_span(wall, low, high, foot_stays=True))
             top = tops[high]  # it presses on what it leans on
@@ -182,10 +191,9 @@ def _is_at(hold: Hold, heights: tuple[float, ...]) -> bool:
 
 
 def _weakened(hold: Hold) -> Hold | None:
-    """A hold that has given way outward: it stops the wall inward alone; None of one that only pulled."""
-    return (
-        replace(hold, out_kn_m=None, in_kn_m=None, elongation_m=None, stiffness_kn_m2=None) if hold.is_contact else None
-    )
+    """A hold that has given way outward: it stops the wall inward alone, by what it stands there; None of one that only
+    pulled."""
+    return replace(hold, out_kn_m=None, elongation_m=None, stiffness_kn_m2=None) if hold.is_contact else None
 
 
 def _pushed_beside(top: Hold) -> float:
@@ -252,6 +260,11 @@ def _stretches_between(wall: Wall, levels: list[Hold], yielded: tuple[ShareOfHol
     if not shares or len(stretches) != len(pairs):
         return []
     return [_add_bars(stretch, yielded) for stretch in _share_levels(wall, shares, stretches, pairs)]
+
+
+def _height(hold: Hold) -> float:
+    """Height of a hold that has one [m]."""
+    return require_value(hold.h_m)
 
 
 def _add_bars(stretch: HeldStretch, yielded: tuple[ShareOfHold, ...]) -> HeldStretch:

@@ -89,7 +89,7 @@ class WallPart:
         if self.wall.arch is not None and self.top is not None and self.wall.kinematics.arches:
             return named_spanning(self.body.name, require_value(self.wall.arch.spacing_m))
         if self.held:
-            return f"{self.body.name} {held_stretch_name(self.hinge, self.top, self.gone, self.wall)}"
+            return f"{self.body.name} {held_stretch_name(self.hinge, self.top, self.gone, self.wall, self.within)}"
         if self.top is not None:
             return named_between(self.body.name, self.hinge, self.top)
         return part_name(self.body.name, self.hinge)
@@ -225,11 +225,11 @@ def _of_ties(part: WallPart, hinges: Sequence[float], building: Building | None)
     ]
 
 
-def held_stretch_name(low: float, high: float | None, gone: tuple[float, ...], stretch: Wall) -> str:
-    """What tells a stretch between holds: its heights, those of the holds that have gone, and of the ties that yield
-    along it, marked by ~ [m]."""
+def held_stretch_name(low: float, high: float | None, gone: tuple[float, ...], stretch: Wall, within: bool) -> str:
+    """What tells a stretch between holds: its heights, those of the holds that have gone, and of the ties that have
+    yielded along it or at its ends, marked by ~ [m]."""
     shares = (hold for hold in stretch.hold if isinstance(hold, ShareOfHold) and hold.yielded)
-    yields = [low + require_value(hold.h_m) for hold in shares]
+    yields = [low + require_value(hold.h_m) for hold in shares] + ([low, high or 0.0] if within else [])
     pulls = [any(abs(height - other) <= SAME_HINGE for other in yields) for height in gone]
     without = "".join(f", {'~' if pull else '−'}{height:.4g}" for height, pull in zip(gone, pulls, strict=True))
     return f"[{low:.4g}–{high:.4g}{without} m]"
@@ -238,7 +238,9 @@ def held_stretch_name(low: float, high: float | None, gone: tuple[float, ...], s
 def _held_part(part: WallPart, stretch: HeldStretch, way: int) -> WallPart:
     held = replace(part, hinge=stretch.low, wall=stretch.wall, top=stretch.high, held=way, gone=stretch.gone)
     held = replace(held, inward=stretch.inward, within=stretch.within)
-    name = f"{part.wall.title} {held_stretch_name(stretch.low, stretch.high, stretch.gone, stretch.wall)}"
+    name = (
+        f"{part.wall.title} {held_stretch_name(stretch.low, stretch.high, stretch.gone, stretch.wall, stretch.within)}"
+    )
     return replace(held, wall=replace(stretch.wall, name=name))
 
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from core.case.above_hinge import cut_above_hinge, solid_of
 from core.case.document import Document
 from core.case.held_top import mirror_inward
-from core.case.hold import TIE, ShareOfHold
+from core.case.hold import TIE, Hold, ShareOfHold
 from core.case.loads import Load, OwnWeight
 from core.case.shape import cut_between
 from core.case.wall import Wall
@@ -261,10 +261,21 @@ def is_backed(wall: Wall, low: float, high: float) -> bool:
 
 def is_stopped(wall: Wall, low: float, high: float) -> bool:
     """Whether a wall cannot bend inward over all of a stretch: something that a document shows is behind it all along,
-    or a floor within it, below and above which it is looked at as it bends inward."""
-    floors = (hold for hold in wall.hold if hold.is_contact and hold.has_height and hold.evidence is not None)
-    inside = (low + AT_TIE < require_value(hold.h_m) < high - AT_TIE for hold in floors)
-    return any(inside) or is_backed(wall, low, high)
+    or a floor within it, below and above which it is looked at as it bends inward: far enough from both ends for that,
+    and where all that is behind the stretch is shown. A floor with a strength inward (`in_kn_m`) may give way, so that
+    it stops nothing here."""
+    least = MIN_SLENDERNESS * require_value(wall.thickness)
+    behind = [hold for hold in wall.hold if hold.is_contact and _reaches_into(hold, low, high)]
+    floors = [hold for hold in behind if hold.has_height and hold.in_kn_m is None]
+    inside = any(low + least <= require_value(floor.h_m) <= high - least for floor in floors)
+    return is_backed(wall, low, high) or (inside and all(hold.evidence is not None for hold in behind))
+
+
+def _reaches_into(hold: Hold, low: float, high: float) -> bool:
+    """Whether a hold is between two heights [m], or behind some of what is between them."""
+    if hold.has_height:
+        return low + AT_TIE < require_value(hold.h_m) < high - AT_TIE
+    return (hold.from_m or 0.0) < high and low < (math.inf if hold.to_m is None else hold.to_m)
 
 
 NO_SHAPE: dict = {"openings": (), "steps": (), "gable_m": None, "out_of_plumb_m": None, "return_wedges": None}

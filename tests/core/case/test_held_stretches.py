@@ -437,3 +437,40 @@ def test_that_no_stretch_is_told_as_a_wall_that_overturns_alone_where_its_hold_f
         assert rows and {row.words.code for row in rows} == {"restraint_of_stretch"}
         assert {row.open for row in rows} == {not passes}
         assert (outcome.code != "indicative") == passes
+
+
+PHOTO = {"evidence": {"kind": "photograph", "reference": "P1"}}
+LOW, ROOF = {"kind": "floor", "h_m": 3.0}, {"kind": "floor", "h_m": 6.0, "out_kn_m": 60.0, "in_kn_m": 60.0}
+ALONG = {"kind": "contact", "from_m": 0.0, "to_m": 6.0}
+
+
+def bends_inward(*holds):
+    """zeta of a wall of 6.2 x 0.4 m whose floors bear near its outer face: 0.786 as it bends inward from base to
+    roof."""
+    loads = [{"kind": "vertical", "h_m": h, "mass": "none", "kn_m": 20.0, "d_m": 0.05} for h in (3.0, 6.0)]
+    wall = {"height_m": 6.2, "thickness_m": 0.4, "length_m": 8.0, "load": loads, "hold": list(holds)}
+    return evaluated([], **wall).zeta
+
+
+@pytest.mark.shows("held.inward")
+def test_that_a_floor_stops_a_wall_inward_only_where_it_is_shown_and_has_not_given_way():
+    shown, tie = {"evidence": SHOWN}, TIED[0] | {"h_m": 6.0, "out_kn_m": 60.0}
+    free = bends_inward(ALONG, tie)
+    held = bends_inward(LOW | shown, ALONG | PHOTO | {"from_m": 5.9}, tie)
+    assert held > free * 1.1  # a floor that is shown stops it
+    for holds in (
+        (LOW | {"h_m": 0.06} | PHOTO, ALONG, tie),  # nothing is looked at between 0.06 m and the roof
+        (LOW | PHOTO, ALONG, tie),  # behind which nothing is shown
+        (LOW | shown | {"out_kn_m": 2.0, "in_kn_m": 2.0}, ROOF | shown),  # it may give way inward
+        (LOW | shown | {"out_kn_m": 2.0, "in_kn_m": 4.0}, TIED[0] | {"h_m": 3.0, "out_kn_m": 1.0}, ROOF | shown),
+    ):
+        assert bends_inward(*holds) <= free * (1.0 + 1e-9)
+
+
+def test_that_ties_at_one_height_are_one_end_of_a_stretch_and_few_go_on_pulling():
+    twice = [TIED[1] | {"out_kn_m": 1.0}, TIED[1] | {"out_kn_m": 1.0, "h_m": 6.83}]
+    held = find_held_ways(wall_of((*behind(to_m=10.2), *twice, TIED[2])))
+    assert [(part.low, part.high) for part in held[-1]] == [(0.0, 10.0), (0.0, 6.8), (6.8, 10.0)]
+    ties = [TIED[0] | {"h_m": height, "out_kn_m": height} for height in (2.0, 4.0, 6.0, 8.0)]
+    held = find_held_ways(wall_of((*behind(to_m=10.2), *ties, TIED[2] | {"out_kn_m": 90.0})))
+    assert max(len(part.wall.in_si.yielded) for way in held for part in way) == 3
