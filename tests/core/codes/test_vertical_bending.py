@@ -9,14 +9,8 @@ import pytest
 from scipy.optimize import brentq, minimize_scalar
 
 from core.case.held_top import mirror_inward
-from core.codes.vertical_bending import (
-    bending,
-    governing_mechanism,
-    lowest_hinge,
-    mechanism,
-    outlines,
-    start_multiplier,
-)
+from core.codes.bending_outline import outlines
+from core.codes.vertical_bending import bending, governing_mechanism, lowest_hinge, mechanism, start_multiplier
 from core.derivation.line import Line
 from core.derivation.wall import checks_of
 from core.errors import InputError
