@@ -39,7 +39,7 @@ HEADING = 1.5
 BAR_END, BAR_HEIGHT, BAR_WIDTH = 1.25, 5.0, 110
 """Length of a bar over the zeta required, its height and least width [px]."""
 WIDTHS = [720, 340]
-"""Of the table and of what is beside it [px]."""
+"""Widths that the table and what is beside it begin with [px]."""
 ZETA, RISK = KEYS.index("zeta_e"), KEYS.index("pga_c_g")
 
 

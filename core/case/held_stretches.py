@@ -91,8 +91,8 @@ MOST_YIELDED = 3
 def _yielded_at(wall: Wall, gone: tuple[float, ...]) -> tuple[ShareOfHold, ...]:
     """The ties at some heights [m] that go on pulling once they have yielded. A prestress is left out: they yield the
     later."""
-    ties = [(hold, hold.tie(wall.length_m)) for hold in wall.ties if _is_at(hold, gone) and not hold.slack_mm]
-    ties = sorted(ties, key=lambda tie: -tie[1].bar.strength)[:MOST_YIELDED]
+    ties = ((hold, hold.tie(wall.length_m)) for hold in wall.ties if _is_at(hold, gone) and not hold.slack_mm)
+    ductile = sorted((pair for pair in ties if pair[1].stands_more), key=lambda pair: -pair[1].bar.strength)
     return tuple(
         ShareOfHold(
             TIE,
@@ -102,8 +102,7 @@ def _yielded_at(wall: Wall, gone: tuple[float, ...]) -> tuple[ShareOfHold, ...]:
             evidence=hold.evidence,
             yielded=replace(tie.bar, slack=0.0, stands=tie.bar.breaks_at),
         )
-        for hold, tie in ties
-        if tie.stands_more
+        for hold, tie in ductile[:MOST_YIELDED]
     )
 
 
@@ -111,7 +110,7 @@ def _stretches_at_bars(
     wall: Wall, stretches: list[HeldStretch], yielded: tuple[ShareOfHold, ...]
 ) -> Iterator[HeldStretch]:
     """The stretches of a wall that end where a tie has yielded: it may bend up to there, or from there on, without
-    making that tie longer. What holds the top of one that ends at a hold is that of the stretch over the ties."""
+    making that tie longer. What holds an end at a hold is that of the stretch over the ties."""
     least = MIN_SLENDERNESS * require_value(wall.thickness)
     for whole in stretches:
         inside = sorted(h for h in map(_height, yielded) if whole.low + SAME_HEIGHT < h < whole.high - SAME_HEIGHT)
@@ -127,7 +126,8 @@ def _stretches_at_bars(
             if high == whole.high and isinstance(held, ShareOfHold):
                 beside = max(held.beside_kn_m, weight_beside(wall, low, high, last=high == stretches[-1].high))
                 top = replace(held, h_m=high - low, beside_kn_m=beside, backed=is_stopped(wall, low, high))
-            part = replace(span, hold=(*span.hold[:-1], top))
+            foot = [hold for hold in whole.wall.hold if hold.h_m == 0.0] if low == whole.low else span.hold[:-1]
+            part = replace(span, hold=(*foot, top))
             yield _add_bars(HeldStretch(low, high, part, within=True), yielded)
 
 

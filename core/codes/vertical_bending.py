@@ -82,9 +82,10 @@ def virtual(strip: Strip, h1: float) -> list[tuple[Weight, float, float]]:
     return of_lower + [(one, rise + k * (at.between - one.x), h1 - k * (one.z - h1)) for one in upper]
 
 
-def work_of_thrusts(strip: Strip, h1: float) -> float:
-    """Work of the thrusts on a strip, less that of its bars, by a unit of theta at rest, its hinge at h1 [m] [N]."""
-    return math.fsum(force * way_outward(strip, h1, z) for force, z in acting_thrusts(strip, h1))
+def work_of_thrusts(strip: Strip, h1: float, collapse: float | None = None) -> float:
+    """Work of the thrusts on a strip, less that of its bars, by a unit of theta at rest [N]. h1, collapse : of
+    `acting_thrusts`"""
+    return math.fsum(force * way_outward(strip, h1, z) for force, z in acting_thrusts(strip, h1, collapse))
 
 
 def way_outward(strip: Strip, h1: float, z: float) -> float:
@@ -92,14 +93,17 @@ def way_outward(strip: Strip, h1: float, z: float) -> float:
     return z if z <= h1 else h1 - h1 / (strip.height - h1) * (z - h1)
 
 
-def acting_thrusts(strip: Strip, h1: float) -> list[tuple[float, float]]:
+def acting_thrusts(strip: Strip, h1: float, collapse: float | None = None) -> list[tuple[float, float]]:
     """(force outward [N/m], height [m]) of the thrusts on a strip and of its bars: these where they act together, at
-    the rotation up to COUNTED of collapse at which they hold most, as `masonry.held_at`. h1 : of the hinge [m]"""
+    the rotation up to COUNTED of collapse at which they hold most, as `masonry.held_at`.
+
+    h1 : of the hinge [m]; collapse : theta_0 [rad], None : that of its own weight alone, nearly
+    """
     thrusts = [(push.force, push.z) for push in strip.thrusts]
     if not strip.bars:
         return thrusts
     rates = [max(way_outward(strip, h1, bar.height), TINY) for bar in strip.bars]
-    most = COUNTED * strip.width / h1
+    most = COUNTED * (strip.width / h1 if collapse is None else collapse)
     ends = [end / rate for bar, rate in zip(strip.bars, rates, strict=True) for end in bar.ends]
 
     def forces(theta: float) -> list[float]:
@@ -111,11 +115,11 @@ def acting_thrusts(strip: Strip, h1: float) -> list[tuple[float, float]]:
     return thrusts + [(-force, bar.height) for force, bar in zip(forces(best), strip.bars, strict=True)]
 
 
-def start_multiplier(strip: Strip, h1: float) -> float:
+def start_multiplier(strip: Strip, h1: float, collapse: float | None = None) -> float:
     """alpha_0 with the hinge at h1 [m] (C8.7.1.1) [-]: of a rectangle [W1 b/2 + W2 (b + k b/2) + sum N (b + k (t - u -
-    d))] over (W1 + W2) h1/2, with k = h1/(H - h1) and b = t - 2 u."""
+    d))] over (W1 + W2) h1/2, with k = h1/(H - h1) and b = t - 2 u. collapse : of `acting_thrusts`"""
     weights = virtual(strip, h1)
-    holding = math.fsum(one.lifted * rise for one, rise, _ in weights) - work_of_thrusts(strip, h1)
+    holding = math.fsum(one.lifted * rise for one, rise, _ in weights) - work_of_thrusts(strip, h1, collapse)
     return holding / math.fsum(one.force * way for one, _, way in weights if one.pushed) - strip.pressed
 
 
@@ -221,7 +225,7 @@ class Bending:
         is not in it."""
         at, weights = hinges_of(self.strip, self.h1), [one for block in blocks_of(self.strip, self.h1) for one in block]
         pushed = self.alpha0 * math.fsum(weight.force * weight.z for weight in weights if weight.pushed)
-        pushed += math.fsum(force * z for force, z in acting_thrusts(self.strip, self.h1))
+        pushed += math.fsum(force * z for force, z in acting_thrusts(self.strip, self.h1, self.theta0))
         return (pushed - math.fsum(weight.force * (weight.x - at.base) for weight in weights)) / self.strip.height
 
     @property
@@ -321,17 +325,18 @@ def mechanism(strip: Strip, h1: float | None = None) -> Bending:
     """The mechanism of a strip with its hinge at h1 [m], None : where alpha_0 is lowest. Raises ValueError where
     alpha_0 is not positive."""
     h1 = lowest_hinge(strip) if h1 is None else h1
-    alpha0 = start_multiplier(strip, h1)
-    if not alpha0 > 0.0 or (strip.bars and not start_multiplier(strip._replace(bars=()), h1) > 0.0):
-        raise ValueError(alpha0)
+    bare = start_multiplier(strip._replace(bars=()), h1)
+    if not bare > 0.0:
+        raise ValueError(bare)
+    theta0, at = _collapse(strip, h1), hinges_of(strip, h1)
+    alpha0 = start_multiplier(strip, h1, theta0) if strip.bars else bare
     moved = [(one.force, way) for one, _, way in virtual(strip, h1) if one.pushed]
     total, first, second = (math.fsum(force * way**power for force, way in moved) for power in (0, 1, 2))
-    theta0, at = _collapse(strip, h1), hinges_of(strip, h1)
     d_c0 = (at.between - at.base) * (1.0 - math.cos(theta0)) + h1 * math.sin(theta0)
     e_star = first**2 / (total * second)
     if any(load.pushed for load in strip.below):  # a mass that hardly moves must not raise a_0*: 1 mm below the top
         held = strip._replace(below=tuple(load._replace(pushed=False) for load in strip.below))
-        e_star = max(e_star, alpha0 / start_multiplier(held, h1))
+        e_star = max(e_star, alpha0 / start_multiplier(held, h1, theta0))
     return Bending(strip, h1, alpha0, e_star, total / G, theta0, d_c0, second / (h1 * first))
 
 

@@ -288,7 +288,8 @@ def _of_blocks(mechanism: Bending) -> list[Line]:
     lines.append(Line(k, h1 / (mechanism.strip.height - h1), note=FULL))
     for weight, x, z, one in own:
         lines += [Line(weight, 1e-3 * one.force, RUN, VALUE), Line(x, one.x, RUN, VALUE), Line(z, one.z, RUN, VALUE)]
-    holding = 1e-3 * (math.fsum(one.force * rise for one, rise, _ in of_loads) - work_of_thrusts(mechanism.strip, h1))
+    thrusts = work_of_thrusts(mechanism.strip, h1, mechanism.theta0)
+    holding = 1e-3 * (math.fsum(one.force * rise for one, rise, _ in of_loads) - thrusts)
     pushing = 1e-3 * math.fsum(one.force * way for one, _, way in of_loads if one.pushed)
     of_own = [one for one in virtual(mechanism.strip, h1) if one[0] in (lower[0], upper[0])]
     return [

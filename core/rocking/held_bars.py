@@ -55,8 +55,20 @@ def _pulls_of(held: HeldTop, slenderness: float, collapse: tuple[float, float]) 
     return values
 
 
-def split_with_bars(model: RockingModel) -> tuple[RockingModel, Side, Side, HeldBars]:
-    """The model as the kernels take it, its sides and its bars."""
+class HeldStrip(NamedTuple):
+    """A strip of wall that bends with ties along it, as the kernels take it.
+
+    model : RockingModel without `bending`; outward, inward : Side; bars : HeldBars
+    """
+
+    model: RockingModel
+    outward: Side
+    inward: Side
+    bars: HeldBars
+
+
+def strip_with_bars(model: RockingModel) -> HeldStrip:
+    """The strip of a model with `bending` that has bars."""
     bare, outward, inward = split_model(model)
     assert model.bending is not None
     alpha = model.slenderness
@@ -69,7 +81,7 @@ def split_with_bars(model: RockingModel) -> tuple[RockingModel, Side, Side, Held
         ]
     )
     values = _pulls_of(model.bending, alpha, collapse)
-    return bare, outward, inward, HeldBars(values, rows, np.zeros(rows.shape), np.zeros(DEGREE + 1))
+    return HeldStrip(bare, outward, inward, HeldBars(values, rows, np.zeros(rows.shape), np.zeros(DEGREE + 1)))
 
 
 @subkernel

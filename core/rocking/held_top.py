@@ -55,6 +55,36 @@ def outcome_by_energy(y, speed, p2, side, other, ratio, peaks, here):
 
 
 @subkernel
+def land(y, terms, h, t, sign, instant, ground0, slope, dt, model, thresholds, impacts, impact_time, impact_velocity):
+    """Carry the wall through the impact in which a step ends.
+
+    y : at the start of the step [rad]
+    terms, h : of `series`, and the length of the step [s]
+    t : local time at its start [s]
+    sign, instant, ground0, slope, dt, model, thresholds, impacts, impact_time, impact_velocity : of `through_sample`
+    Returns (local time of the impact [s], y' after it [rad/s], sign, moving).
+    """
+    h = landing(y, terms, h)
+    arriving = max(-speed_of(terms, h), 0.0)
+    t = t + h if h < dt - t else dt
+    now = fma(slope, t, ground0)
+    speed, sign, moving, _, stuck = apply_impact(
+        arriving, sign, now, model, thresholds, h, instant + t, impacts, impact_time, impact_velocity
+    )
+    return t + (1e-12 * dt if stuck else 0.0), speed, sign, moving
+
+
+@subkernel
+def first_state(start, peaks):
+    """(y, speed, sign, moving) of `through_sample` at the first sample. start, peaks : of `integrate`"""
+    sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
+    y, speed = sign * start[0], sign * start[1]
+    peaks[:] = 0.0
+    peaks[0 if sign > 0.0 else 1] = y
+    return y, speed, sign, y != 0.0 or speed != 0.0
+
+
+@subkernel
 def through_sample(
     y,
     speed,
@@ -99,14 +129,23 @@ def through_sample(
         h, x, v, top, lands = step_of(y, speed, terms, holds, s, per, 1e-9 * dt)
         peaks[k] = max(peaks[k], top)
         if lands:
-            h = landing(y, terms, h)
-            arriving = max(-speed_of(terms, h), 0.0)
-            t = t + h if h < dt - t else dt
-            y, now = 0.0, fma(slope, t, ground0)
-            speed, sign, moving, _, stuck = apply_impact(
-                arriving, sign, now, model, thresholds, h, instant + t, impacts, impact_time, impact_velocity
+            t, speed, sign, moving = land(
+                y,
+                terms,
+                h,
+                t,
+                sign,
+                instant,
+                ground0,
+                slope,
+                dt,
+                model,
+                thresholds,
+                impacts,
+                impact_time,
+                impact_velocity,
             )
-            t += 1e-12 * dt if stuck else 0.0
+            y = 0.0
             impacts += 1
             if impacts - before > IMPACTS_PER_SAMPLE:
                 return y, speed, sign, moving, impacts, IMPACT_LIMIT
@@ -153,11 +192,8 @@ def integrate(
     Returns (outcome, impacts, samples done).
     """
     thresholds = uplift_thresholds(model)
-    peaks[:] = 0.0
-    sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
-    y, speed = sign * start[0], sign * start[1]
-    moving, impacts = y != 0.0 or speed != 0.0, 0
-    peaks[0 if sign > 0.0 else 1] = y
+    y, speed, sign, moving = first_state(start, peaks)
+    impacts = 0
     rotation[0], velocity[0] = start
     for i in range(ground.size - 1):
         ground0, slope = scale * ground[i], scale * (ground[i + 1] - ground[i]) / dt
@@ -224,13 +260,27 @@ def history(ground, dt, scale, model, start, trace, impact_time, impact_velocity
     impact_velocity : results, theta' just after each impact [rad/s], of the same shape
     """
     bare, outward, inward = split_model(model)
+    peaks = np.zeros(2)
+    parts = bare, outward, inward, start_on_side(start, outward, inward), trace[0], trace[1]
+    outcome, impacts, done = integrate(ground, dt, scale, *parts, impact_time, impact_velocity, peaks)
+    return outcome, turn_results(trace, impact_velocity, peaks, outward, inward), impacts, 0, done
+
+
+def start_on_side(start: tuple[float, float], outward: Side, inward: Side) -> tuple[float, float]:
+    """y [rad] and y' [rad/s] of theta [rad] and theta' [rad/s] at the first sample, outward positive."""
     sign = -1.0 if start[0] < 0.0 or (start[0] == 0.0 and start[1] < 0.0) else 1.0
     y, speed = to_y(sign * start[0], sign * start[1], outward if sign > 0.0 else inward)
-    begin = (sign * y, sign * speed)
-    parts = bare, outward, inward, begin, trace[0], trace[1], impact_time, impact_velocity
-    peaks = np.zeros(2)
-    outcome, impacts, done = integrate(ground, dt, scale, *parts, peaks)
+    return sign * y, sign * speed
+
+
+def turn_results(
+    trace: np.ndarray, impact_velocity: np.ndarray, peaks: np.ndarray, outward: Side, inward: Side
+) -> float:
+    """Turn the results of a history from y into theta, in place; returns the largest theta [rad].
+
+    trace : y [rad] and y' [rad/s] first, shape (2 or more, n); impact_velocity : y' just after each impact [rad/s]
+    peaks : largest y outward and inward [rad]
+    """
     to_rotations(trace[0], trace[1], outward, inward)
     to_rotations(np.zeros(impact_velocity.size), impact_velocity, outward, inward)
-    peak = max(float(rotation_at(peaks[0], outward)), float(rotation_at(peaks[1], inward)))
-    return outcome, peak, impacts, 0, done
+    return max(float(rotation_at(peaks[0], outward)), float(rotation_at(peaks[1], inward)))

@@ -79,6 +79,29 @@ def has_converged(last, h, top):
     return abs(last) * (fourth * fourth) <= 0.99 * SIDE_TOLERANCE * top
 
 
+@inner_kernel
+def place_in(y, side):
+    """Number of the piece of the functions, place in it and change of that with y. y : [rad]; side : Side"""
+    at = y * side.scale
+    piece = min(max(int(at), 0), PIECES - 1)
+    return piece, 2.0 * (at - piece) - 1.0, 2.0 * side.scale
+
+
+@subkernel
+def series_about(speed, beta, slope, p2, s, per, v, x, top, h):
+    """Coefficients 1 to 8 of y as a power series in time, the time [s] up to which it holds.
+
+    speed, beta, slope, p2, h : of `series`
+    s, per : of `place_in`
+    v, x : coefficients of both functions in the piece, shape (DEGREE + 1,)
+    top : y of collapse [rad]
+    """
+    terms = terms_of(speed, beta, slope, p2, per, shift_polynomial(s, v), shift_polynomial(s, x))
+    if not has_converged(terms[7], h, top):
+        h = min(h, (SIDE_TOLERANCE * top / max(abs(terms[7]), TINIEST)) ** 0.125)
+    return terms, h
+
+
 @subkernel
 def series(y, speed, beta, slope, p2, side, h):
     """Coefficients 1 to 8 of y as a power series in time, the time [s] up to which it holds, place in the piece, change
@@ -91,13 +114,8 @@ def series(y, speed, beta, slope, p2, side, h):
     side : Side
     h : longest time that is wanted [s]
     """
-    at = y * side.scale
-    piece = min(max(int(at), 0), PIECES - 1)
-    s, per = 2.0 * (at - piece) - 1.0, 2.0 * side.scale
-    v, x = shift_polynomial(s, side.values[piece, V]), shift_polynomial(s, side.values[piece, X])
-    terms = terms_of(speed, beta, slope, p2, per, v, x)
-    if not has_converged(terms[7], h, side.top):
-        h = min(h, (SIDE_TOLERANCE * side.top / max(abs(terms[7]), TINIEST)) ** 0.125)
+    piece, s, per = place_in(y, side)
+    terms, h = series_about(speed, beta, slope, p2, s, per, side.values[piece, V], side.values[piece, X], side.top, h)
     return terms, h, s, per
 
 
@@ -173,14 +191,10 @@ def landing(y, terms, h):
 
 
 @subkernel
-def step_of(y, speed, terms, h, s, per, least):
-    """One step by its series: length [s], y and y' after it, largest y in it [rad], and whether the wall lands in it.
+def turning_once(y, speed, terms, h, s, per, least):
+    """Length of a step in which the wall turns once at most, and y' after it.
 
-    y, speed : at its start [rad], [rad/s]
-    terms : of `series`
-    h : longest it may be [s]
-    s, per : place in the piece, of `series`, which the step does not leave
-    least : shortest it is cut to for that [s]
+    y, speed, terms, h, s, per, least : of `step_of`
     """
     while abs(s + per * moved(terms, h)) > OVERLAP and h > least:
         h *= 0.5
@@ -190,6 +204,20 @@ def step_of(y, speed, terms, h, s, per, least):
         slow = root(2, y, terms, 0.0, h)
         if (speed_of(terms, slow) < 0.0) != (speed < 0.0):
             h, v = slow, speed_of(terms, slow)
+    return h, v
+
+
+@subkernel
+def step_of(y, speed, terms, h, s, per, least):
+    """One step by its series: length [s], y and y' after it, largest y in it [rad], and whether the wall lands in it.
+
+    y, speed : at its start [rad], [rad/s]
+    terms : of `series`
+    h : longest it may be [s]
+    s, per : place in the piece, of `series`, which the step does not leave
+    least : shortest it is cut to for that [s]
+    """
+    h, v = turning_once(y, speed, terms, h, s, per, least)
     x = y + moved(terms, h)
     top = max(x, 0.0)
     if speed < 0.0 < v or v < 0.0 < speed:

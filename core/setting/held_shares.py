@@ -42,11 +42,16 @@ def share_out(stretches: Sequence[Wall], pushes: Sequence[float]) -> list[Wall]:
     return shared
 
 
-def copy_strength(stretch: Wall, top: Hold) -> Wall:
-    """A stretch whose upper hold stands what a hold does."""
-    stiffness = top.stiffness_kn_m2
-    own = replace(stretch.hold[-1], out_kn_m=top.out_kn_m, in_kn_m=top.in_kn_m, stiffness_kn_m2=stiffness)
-    return replace(stretch, hold=(*stretch.hold[:-1], own))
+def copy_strength(stretch: Wall, foot: Hold | None, top: Hold | None) -> Wall:
+    """A stretch whose holds at its ends stand what these do; None leaves one as it is."""
+
+    def strong(own: Hold) -> Hold:
+        of = foot if own.h_m == 0.0 else top if own.h_m == stretch.height_m else None
+        if of is None:
+            return own
+        return replace(own, out_kn_m=of.out_kn_m, in_kn_m=of.in_kn_m, stiffness_kn_m2=of.stiffness_kn_m2)
+
+    return replace(stretch, hold=tuple(map(strong, stretch.hold)))
 
 
 def _holds_at(stretch: Wall, height: float | None) -> list[Hold]:

@@ -285,11 +285,15 @@ def _share_out_holds(
         held = [k for k in outward if not entries[k].part.within]
         walls = share_out([stretches[k] for k in held], [pushes[k] for k in held])
         tops = {entries[k].part.top: wall.hold[-1] for k, wall in zip(held, walls, strict=True)}
+        feet = {
+            entries[k].part.hinge: wall.hold[0] for k, wall in zip(held, walls, strict=True) if wall.hold[0].h_m == 0
+        }
         stretches |= dict(zip(held, walls, strict=True))
         for k, wall in stretches.items():
-            if entries[k].part.within and (top := tops.get(entries[k].part.top)) is not None:
-                wall = copy_strength(wall, top)
-            shared[k] = replace(entries[k], part=replace(entries[k].part, wall=wall))
+            part = entries[k].part
+            if part.within:
+                wall = copy_strength(wall, feet.get(part.hinge), tops.get(part.top))
+            shared[k] = replace(entries[k], part=replace(part, wall=wall))
     return shared
 
 

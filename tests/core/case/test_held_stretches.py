@@ -467,6 +467,19 @@ def test_that_a_floor_stops_a_wall_inward_only_where_it_is_shown_and_has_not_giv
         assert bends_inward(*holds) <= free * (1.0 + 1e-9)
 
 
+def test_that_a_stretch_that_ends_at_a_tie_hands_to_the_hold_at_its_foot_too():
+    """Floors of 40 kN/m at 3.4 and 10.1 m, a weak tie at 6.8: [3.4, 6.8] and [3.4, 10.1] share one foot."""
+    tie = TIED[1] | {"out_kn_m": 1.0}
+    wall = FACADE | {"hold": [*anchored(40.0, None, 40.0), tie]}
+    case = parse_case({"building": BUILDING, "demand": {"ag_g": 0.25, "spectrum": SPECTRUM}, "wall": [wall]})
+    entries = make_plan(case, read_inputs(case, ROOT)).entries
+    held = [entry.part for entry in entries if entry.part.gone == (6.8,) and entry.part.hinge == 3.4]
+    outward = [part.wall for part in held if not part.inward]
+    assert [len(wall.in_si.yielded) for wall in outward] == [1, 0]
+    feet = {wall.in_si.declared.foot_strength for wall in outward}
+    assert len(feet) == 1 and 0.0 < feet.pop() < 40e3
+
+
 def test_that_ties_at_one_height_are_one_end_of_a_stretch_and_few_go_on_pulling():
     twice = [TIED[1] | {"out_kn_m": 1.0}, TIED[1] | {"out_kn_m": 1.0, "h_m": 6.83}]
     held = find_held_ways(wall_of((*behind(to_m=10.2), *twice, TIED[2])))

@@ -15,6 +15,7 @@ from core.derivation.line import Line
 from core.derivation.wall import checks_of
 from core.errors import InputError
 from core.units import G
+from core.wall.bars import TieBar
 from core.wall.bending import Strip, Weight, strip_of
 from tests.validation.circolare import case
 
@@ -383,3 +384,17 @@ def test_that_a_mass_that_hardly_moves_raises_nothing(load):
     on_top = mechanism(strip._replace(loads=((load, 0.225),)), 5.5)
     near = mechanism(strip._replace(below=(Weight(load, 0.225, 6.499, True),)), 5.5)
     assert near.alpha0 / near.e_star == pytest.approx(on_top.alpha0 / on_top.e_star, rel=2e-3)
+
+
+def test_that_a_tie_counts_in_alpha_0_with_what_it_gives_by_0_40_of_collapse():
+    """A weight near the inner face: the wall falls sooner than by its own weight, and a long bar has given less by
+    then."""
+    strip = Strip(3.0, 0.3, 0.0, 16200.0, ((30e3, 0.28),))
+    bar = TieBar(1.5, 2e3, 0.2, 0.0, 0.4)
+    found = mechanism(strip._replace(bars=(bar,)), 2.0)
+    bare = mechanism(strip, 2.0)
+    turned = 0.4 * found.theta0
+    given = 2e3 * 1.5 * turned / 0.2  # elastic, its elongation by the virtual way
+    way = 16200.0 * 2.0 / 2.0
+    assert 1.5 * turned < 0.2 and found.theta0 == bare.theta0
+    assert found.alpha0 == pytest.approx(bare.alpha0 + given * 1.5 / way, rel=1e-12)
