@@ -8,7 +8,7 @@ roots of the series.
 
 import numpy as np
 
-from core.jit.decorators import kernel, subkernel
+from core.jit.decorators import inner_kernel, kernel, subkernel
 from core.jit.fma import fma
 from core.rocking.events import IMPACTS_PER_SAMPLE, apply_impact, next_uplift, uplift_thresholds
 from core.rocking.outcome import COLLAPSED, IMPACT_LIMIT, STABLE
@@ -54,7 +54,7 @@ def outcome_by_energy(y, speed, p2, side, other, ratio, peaks, here):
     return STABLE
 
 
-@subkernel
+@inner_kernel
 def land(y, terms, h, t, sign, instant, ground0, slope, dt, model, thresholds, impacts, impact_time, impact_velocity):
     """Carry the wall through the impact in which a step ends.
 

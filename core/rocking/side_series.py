@@ -87,7 +87,7 @@ def place_in(y, side):
     return piece, 2.0 * (at - piece) - 1.0, 2.0 * side.scale
 
 
-@subkernel
+@inner_kernel
 def series_about(speed, beta, slope, p2, s, per, v, x, top, h):
     """Coefficients 1 to 8 of y as a power series in time, the time [s] up to which it holds.
 
@@ -190,7 +190,7 @@ def landing(y, terms, h):
     return root(0, y, terms, low, h)
 
 
-@subkernel
+@inner_kernel
 def turning_once(y, speed, terms, h, s, per, least):
     """Length of a step in which the wall turns once at most, and y' after it.
 
