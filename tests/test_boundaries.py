@@ -59,6 +59,13 @@ SOLVED = "tests/core/lab/solved/test_cases.py"
 
 SHOWN_BY = {
     **dict.fromkeys(("study/register", "report/register_words"), "tests/core/case/test_register.py"),
+    **{
+        f"case/mechanisms/{name}": "tests/core/case/test_mechanisms.py"
+        for name in (
+            *("mechanism", "registry", "turning", "overturning", "vertical_bending", "horizontal_bending"),
+            *("corner", "leaf", "part_above", "direction"),
+        )
+    },
     "wall/load_kinds": "tests/core/wall/test_kinematics.py",
     "setting/held_shares": "tests/core/case/test_held_stretches.py",
     "case/above_holds": "tests/core/case/test_held_stretches.py",

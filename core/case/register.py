@@ -3,25 +3,13 @@
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from core.case.directions import falls_sooner_along
-from core.case.hinges import WallPart, find_unchecked_hinges, highest_hold, leaves_end_open
-from core.case.set_aside import (
-    CORNER,
-    DIRECTION,
-    HORIZONTAL_BENDING,
-    LEAF,
-    OVERTURNING,
-    PART_ABOVE,
-    ROWS,
-    VERTICAL_BENDING,
-    SetAside,
-)
+from core.case.hinges import WallPart
+from core.case.mechanisms.mechanism import Mechanism, NotLookedAt, find_set_aside
+from core.case.mechanisms.registry import REGISTER, part_moves_by
 from core.case.site import Building
-from core.case.spans_between_ties import leaves_stretches_out
 from core.case.wall import Wall
 from core.known import require_value
-from core.text.sentence import Key, Number, Sentence, sentence
-from core.wall.kinematics import kinematics
+from core.text.sentence import Number, Sentence, sentence
 
 LOOKED_AT, NOT_POSSIBLE, NOT_LOOKED_AT, SET_ASIDE = "looked_at", "not_possible", "not_looked_at", "set_aside"
 """Status of a row. What is not looked at leaves an outcome that passes indicative; the engineer may set it aside."""
@@ -45,23 +33,10 @@ class RegisterRow(NamedTuple):
     why: Sentence | str = ""
 
 
-def row_of_part(part: WallPart, mechanism: str) -> RegisterRow:
-    """The row of what is looked at. mechanism : one of those of the wall of the part"""
-    body = part.body
-    top = body.height_m if part.top is None else part.top
-    if part.wall.bends:
-        name = HORIZONTAL_BENDING if part.wall.kinematics.arches else VERTICAL_BENDING
-        return RegisterRow(name, LOOKED_AT, part.hinge, top, None, "inward" if part.inward else "both")
-    name, direction = OVERTURNING, "outward" if kinematics(mechanism).one_way else "both"
-    if part.wall.corner is not None:
-        name = CORNER
-    elif part.aspect and body.leans:
-        name = LEAF
-    elif part.aspect:
-        name, direction = DIRECTION, part.aspect
-    elif mechanism not in body.mechanisms():
-        name = PART_ABOVE
-    return RegisterRow(name, LOOKED_AT, part.hinge, top, part.hinge, direction)
+def row_of_part(part: WallPart, way: str) -> RegisterRow:
+    """The row of what is looked at. way : one of the mechanisms of the wall of the part"""
+    top, moves = part.body.height_m if part.top is None else part.top, part_moves_by(part, way)
+    return RegisterRow(moves.name, LOOKED_AT, part.hinge, top, moves.hinge(part), moves.direction(part, way))
 
 
 def row_passed_over(part: WallPart, mechanism: str, zeta: float | None, way: int) -> RegisterRow:
@@ -77,7 +52,8 @@ def find_left_out(part: WallPart, building: Building | None) -> tuple[Sentence, 
     if part.hinge > 0.0 or (part.top is not None and not part.held):
         return ()
     rows = _rows_left(part.body, building, part.aspect)
-    return tuple(row.why for row in rows if row.status == NOT_LOOKED_AT and isinstance(row.why, Sentence))
+    sentences = (row.why for row in rows if row.status == NOT_LOOKED_AT and isinstance(row.why, Sentence))
+    return tuple(dict.fromkeys(sentences))
 
 
 def find_mechanisms_left_out(parts: Iterable[WallPart], building: Building | None) -> tuple[str, ...]:
@@ -97,78 +73,20 @@ def other_rows(parts: Iterable[WallPart], looked: set[str], building: Building |
     rows = list(dict.fromkeys(row for part in whole for row in _rows_left(part.body, building, part.aspect)))
     names, wall = looked | {row.name for row in rows}, whole[0].body
     return rows + [
-        RegisterRow(name, NOT_POSSIBLE, 0.0, wall.height_m, why=sentence("mechanism", _why_not(name, wall)))
-        for name in ROWS
-        if name not in names
+        RegisterRow(moves.name, NOT_POSSIBLE, 0.0, wall.height_m, why=sentence("mechanism", moves.why_not(wall)))
+        for moves in REGISTER
+        if moves.name not in names
     ]
 
 
 def _rows_left(wall: Wall, building: Building | None, aspect: str) -> list[RegisterRow]:
     """What is not looked at of a wall about its base, or is set aside with a reason. aspect : of `WallPart`"""
-    rows: list[RegisterRow] = []
-
-    def leave(name: str, why: Sentence, hinge: float | None = None) -> None:
-        entry, status = _set_aside(wall, name, hinge), NOT_LOOKED_AT
-        if entry is not None:
-            why, status = require_value(entry.evidence).words, SET_ASIDE
-        rows.append(RegisterRow(name, status, hinge or 0.0, wall.height_m, hinge, "", why))
-
-    if leaves_stretches_out(wall):
-        leave(VERTICAL_BENDING, sentence("reason", "stretches_left_out", set_aside=Key("set_aside")))
-    if aspect:
-        return rows
-    unchecked, free_above = find_unchecked_hinges(wall, building), highest_hold(wall, building)
-    names = {height: PART_ABOVE if height == free_above else OVERTURNING for height in unchecked}
-    left = [height for height in unchecked if _set_aside(wall, names[height], height) is None]
-    code = "heights_left_out" if wall.hinge_heights is None else "hinges_as_asked"
-    keys = {"key": Key("hinge_heights"), "building": Key("[building]")}
-    why = sentence("reason", code, heights=tuple(Number(height, ".4g") for height in left), **keys)
-    for height in (*left[:1], *(height for height in unchecked if height not in left)):
-        leave(names[height], why, height)
-    if leaves_end_open(wall, building):
-        keys = {"key": Key("to_m"), "building": Key("[building]")}
-        leave(PART_ABOVE, sentence("reason", "end_left_open", **keys))
-    if wall.leans and wall.held_by is not None and wall.held_by.only_there:
-        names = {"arch": "spacing_m", "tie": "tie_kn_m", "shoulder": "shoulder_length_m"}
-        keys = names | {"strength": "compressive_strength_mpa"}
-        leave(HORIZONTAL_BENDING, sentence("reason", "no_arch", **{name: Key(key) for name, key in keys.items()}))
-    if falls_sooner_along(wall, free_above):
-        leave(DIRECTION, sentence("reason", "direction_left_out", set_aside=Key("set_aside")))
-    return rows
+    return [_row_left(moves, left, wall) for moves in REGISTER for left in moves.left_out(wall, building, aspect)]
 
 
-def _set_aside(wall: Wall, name: str, hinge: float | None) -> SetAside | None:
-    """What sets a mechanism aside, over the whole wall or about a hinge [m]."""
-    low, high = (0.0, wall.height_m) if hinge is None else (hinge, hinge)
-    if hinge is None and name == PART_ABOVE:  # of which nobody says where it begins
-        low = wall.height_m or 0.0
-    return next((entry for entry in wall.set_aside if entry.covers(name, low, high)), None)
-
-
-def _why_not(name: str, wall: Wall) -> str:
-    """Code of why a wall has not a mechanism that is neither looked at nor left out."""
-    if name == OVERTURNING:
-        return "turns_as_corner" if wall.corner else "held_at_ends" if wall.kinematics.arches else "held_at_top"
-    if name == VERTICAL_BENDING and wall.ties:
-        return "turns_before"
-    if name == VERTICAL_BENDING and wall.restraints:
-        at_heights = all(hold.has_height for hold in wall.restraints)
-        return "turns_outward_before" if at_heights else "held_all_along"
-    if name == PART_ABOVE and wall.bends:
-        return "held_at_top"
-    if name == PART_ABOVE and wall.restraints:
-        return "held_to_top"
-    if name == HORIZONTAL_BENDING and any(hold.only_there for hold in wall.hold):
-        return "no_spacing"
-    if name == DIRECTION and (wall.leans or wall.bends):
-        return "held_in_plane"
-    if name == DIRECTION and wall.length_m is None:
-        return "taken_as_long"
-    return {
-        VERTICAL_BENDING: "stands_free",
-        HORIZONTAL_BENDING: "no_cross_walls",
-        CORNER: "no_corner",
-        LEAF: "one_leaf",
-        PART_ABOVE: "stands_free",
-        DIRECTION: "stockier_along",
-    }[name]
+def _row_left(moves: Mechanism, left: NotLookedAt, wall: Wall) -> RegisterRow:
+    low, high = (left.low, wall.height_m) if left.hinge is None else (left.hinge, left.hinge)
+    entry = find_set_aside(wall, moves.name, low, high)
+    why = left.why if entry is None else require_value(entry.evidence).words
+    status = NOT_LOOKED_AT if entry is None else SET_ASIDE
+    return RegisterRow(moves.name, status, left.hinge or 0.0, wall.height_m, left.hinge, "", why)

@@ -5,18 +5,17 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from core.case.held_top import mirror_inward
-from core.case.hold import ShareOfHold
+from core.case.mechanisms.mechanism import Moving
+from core.case.mechanisms.registry import how_it_moves
 from core.case.schema import Generate
 from core.case.site import Building, Demand
-from core.case.spans_between_ties import is_backed
 from core.case.wall import Wall
 from core.codes.demand import SeismicDemand, complete_with_records
 from core.codes.dynamic_check import run_dynamic_check
 from core.codes.elastic_branch import Branch, branches_of, wants_branch
 from core.codes.kinematic import KinematicAnalysis, analyse_mechanism
 from core.codes.record_compatibility import Compliance, check_compatibility
-from core.codes.vertical_bending import HingeAt, hinges_in_histories, lowest_hinge, model_of_bending
+from core.codes.vertical_bending import HingeAt, hinges_in_histories
 from core.ground.ground_motion import GroundMotion
 from core.known import require_value
 from core.mechanism.bending_reactions import MovingStrip
@@ -28,8 +27,6 @@ from core.mechanism.holds import (
     STUB,
     HoldLimit,
     force_on_top,
-    limit_of_ends,
-    limits_of_bending,
     reaction_of_base,
     reaction_of_foot,
 )
@@ -39,25 +36,9 @@ from core.setting.demand_input import find_generation_settings, generate_request
 from core.setting.floors import Floor, make_floor
 from core.setting.held_histories import HeldHistories
 from core.text.sentence import Sentence
-from core.wall.arch import MIN_THRUST
-from core.wall.bars import TieBar
-from core.wall.bending import strip_of
 from core.wall.kinematics import Kinematics, kinematics
 from core.wall.masonry import Masonry
-from core.wall.rocking_model import RockingModel, rocking_model
-
-
-def _pulling(bars: tuple[TieBar, ...]) -> list[tuple[TieBar, ...]]:
-    """Bars that pull, of those that have yielded, where a reaction of the top is extreme: it is linear in each force,
-    and falls with that of any bar above one with whose force it falls. None first, then one more from below."""
-    ordered = sorted(bars, key=lambda bar: bar.height)
-    return [tuple(ordered[:count]) for count in range(len(ordered) + 1)]
-
-
-def _strip_that_moves(wall: Masonry) -> MovingStrip:
-    """The strip of a wall with the hinge of the least multiplier."""
-    strip = strip_of(wall)
-    return MovingStrip(strip, lowest_hinge(strip))
+from core.wall.rocking_model import RockingModel
 
 
 def _reaction(wall: Masonry, moving: MovingStrip, limit: HoldLimit, alpha: float) -> float:
@@ -75,14 +56,8 @@ def _reaction(wall: Masonry, moving: MovingStrip, limit: HoldLimit, alpha: float
 
 
 def make_rocking_model(wall: Wall, mechanism: str) -> RockingModel:
-    """The rocking model of a wall."""
-    own = wall.in_si
-    if wall.kinematics.arches:  # alike to both sides, but for what presses it outward
-        return model_of_bending(strip_of(own), strip_of(own))
-    if wall.bends:
-        return model_of_bending(strip_of(own), strip_of(mirror_inward(wall).in_si))
-    one_sided, restitution = kinematics(mechanism).one_way, wall.restitution_of(mechanism)
-    return rocking_model(own.block, one_sided, restitution, own.law, own.restoring, own.bars, own.inner_block)
+    """The rocking model of a wall. Raises InputError."""
+    return how_it_moves(wall).motion(wall, mechanism)
 
 
 def select_polarities(model: RockingModel, asked: str) -> tuple[int, ...]:
@@ -156,20 +131,9 @@ class CheckInput:
         return branches_of(self.wall.in_si, self.mechanism, self.model)
 
     @cached_property
-    def _moving(self) -> dict[str, list[tuple[Masonry, MovingStrip]]]:
-        """Side -> the wall that bends to it, and its strip with the hinge of the least multiplier: with each of the
-        bars that have yielded along it slack and at yield, for a reaction is extreme at one of these."""
-        own = self.wall.in_si
-        walls = {"outward": [own.add_pulls(pulling) for pulling in _pulling(own.yielded)]}
-        if self.wall.kinematics.bends_up:
-            walls[INWARD] = [mirror_inward(self.wall).in_si]
-        return {side: [(wall, _strip_that_moves(wall)) for wall in of_side] for side, of_side in walls.items()}
-
-    @property
-    def _is_backed(self) -> bool:
-        """Whether something is behind the wall all along."""
-        shares = (hold for hold in self.wall.hold if isinstance(hold, ShareOfHold))
-        return any(hold.backed for hold in shares) or is_backed(self.wall, 0.0, require_value(self.wall.height_m))
+    def _moving(self) -> Moving:
+        """The walls whose holds may be asked most, to each side."""
+        return how_it_moves(self.wall).moving(self.wall)
 
     def moving_to(self, side: str) -> tuple[Masonry, MovingStrip]:
         """A wall that bends as it moves to a side of a hold limit, its ties that have yielded slack, and its strip."""
@@ -184,19 +148,7 @@ class CheckInput:
     @cached_property
     def hold_limits(self) -> tuple[HoldLimit, ...]:
         """Limits of what holds a wall that bends; none of what has no strength."""
-        masonry = self.wall.in_si
-        if not self.wall.bends:
-            return ()
-        if masonry.arch is not None:
-            return (limit_of_ends(*self.moving_to("outward")),) if masonry.arch.thrust > MIN_THRUST else ()
-        if masonry.declared.strength is None:
-            return ()
-        ways = [(side, *way) for side, of_side in self._moving.items() for way in of_side]
-        limits = [limit for side, wall, moving in ways for limit in limits_of_bending(wall, moving, side)]
-        first: dict[tuple, HoldLimit] = {}
-        for limit in sorted(limits, key=lambda limit: limit.push):
-            first.setdefault((limit.hold, limit.side, limit.presses), limit)
-        return tuple(limit for limit in limits if limit in first.values())
+        return how_it_moves(self.wall).hold_limits(self._moving)
 
     def find_strength(self, limit: HoldLimit, alpha: float) -> float:
         """What a hold stands [N/m] under pushes up to alpha [-]."""
@@ -234,9 +186,10 @@ class CheckInput:
         analysis."""
         if self.wall.above_ground and self.floor is None:
             return "outward", None
-        spectrum, walls = self.floor.spectrum if self.floor else None, {"outward": self.wall.in_si}
-        if self.wall.bends and self.wall.kinematics.bends_up and not self._is_backed:
-            walls[INWARD] = self.moving_to(INWARD)[0]
+        spectrum, walls = (
+            self.floor.spectrum if self.floor else None,
+            how_it_moves(self.wall).walls_of_checks(self.wall),
+        )
         found = {side: analyse_mechanism(wall, self.mechanism, self.demand, spectrum) for side, wall in walls.items()}
         compared = [analysis.displacement for analysis in found.values()]
         if None in compared:
