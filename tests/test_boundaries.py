@@ -66,6 +66,9 @@ SHOWN_BY = {
             *("corner", "leaf", "part_above", "direction"),
         )
     },
+    **{
+        f"report/{name}": "tests/core/report/test_tables.py" for name in ("record_tables", "sheet_table", "wall_tables")
+    },
     "wall/load_kinds": "tests/core/wall/test_kinematics.py",
     "setting/held_shares": "tests/core/case/test_held_stretches.py",
     "case/above_holds": "tests/core/case/test_held_stretches.py",

@@ -1,17 +1,20 @@
 """What the table of the records shows: the motions of a case read or generated, one row each."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from app.input.record_files import read_motions
-from app.look.language import describe_message, number, result_word, tr
+from app.look.language import current_language, describe_message, number, tr
 from core.case.schema import Case, Record
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
+from core.report.note.words import Words
+from core.report.record_tables import RecordRow, records_as_read
+from core.report.tables import WINDOW
 from core.setting.demand_input import generate_motions, read_demand
 from core.setting.plan import select_case_records
 from core.setting.record_input import read_records
-from core.units import CM, G
 
 Row = tuple[int | None, GroundMotion | str]
 """(index of the entry of the case, None for generated ones; the motion, or the sentence why there is none)."""
@@ -19,19 +22,7 @@ Row = tuple[int | None, GroundMotion | str]
 
 def heads() -> list[str]:
     """Heads of the columns."""
-    return [
-        tr("Use"),
-        tr("Record"),
-        "PGA [g]",
-        "SI [cm]",
-        tr("Scale"),
-        tr("Kind"),
-        tr("Unit"),
-        "Δt [s]",
-        "PGV [cm/s]",
-        tr("D5-95 [s]"),
-        tr("Format"),
-    ]
+    return [tr("Use"), *(column.head for column in records_as_read(Words(current_language())).shown(WINDOW))]
 
 
 def state_of(name: str) -> tuple | None:
@@ -73,16 +64,6 @@ def cells(motion: GroundMotion | str, entry: Record | None) -> list[str]:
     """Texts of a row."""
     if isinstance(motion, str):
         return ["", motion, *[""] * (len(heads()) - 2)]
-    return [
-        "",
-        motion.name,
-        number(motion.pga / G, ".3f"),
-        number(motion.housner_intensity / CM, ".1f"),
-        number(entry.scale if entry else motion.scale, "g").replace("-", "−"),
-        result_word(entry.kind if entry else "artificial" if motion.format == "generated" else "natural"),
-        motion.unit,
-        number(motion.time_step, "g"),
-        number(motion.pgv / CM, ".1f"),
-        number(motion.duration_5_95, ".1f"),
-        motion.format,
-    ]
+    kind = entry.kind if entry else "artificial" if motion.format == "generated" else "natural"
+    row = RecordRow(replace(motion, scale=entry.scale) if entry else motion, kind)
+    return ["", *records_as_read(Words(current_language())).words(WINDOW, [row], number)[0]]

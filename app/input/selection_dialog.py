@@ -20,10 +20,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.look import theme
 from app.look.dialogs import delete_after_use
 from app.look.labels import PlainLabel
-from app.look.language import current_language, describe_message, number, tr
+from app.look.language import current_language, describe_message, tr
 from app.views.chart import Chart
 from app.views.table import Table
 from app.work.session import Session
@@ -34,6 +33,8 @@ from core.case.select import Select
 from core.case.writer import table_of
 from core.errors import InputError
 from core.file_names import key_of, name_of
+from core.report.note.words import Words
+from core.report.record_tables import numbered_sets, sets_of_selection
 from core.report.selection_words import lines_of
 from core.setting.plan import select_case_records
 from core.setting.record_selection import Selection
@@ -100,8 +101,7 @@ class SelectionDialog(QDialog):
             running.addWidget(widget)
         self.words = PlainLabel(self._limits_in_words())
         self.words.setWordWrap(True)
-        heads = [tr("Rule"), tr("Deviation"), tr("Least"), tr("Most"), tr("Records")]
-        self.table = Table(tr("Sets of records"), heads)
+        self.table = Table(tr("Sets of records"), [])
         self.table.itemSelectionChanged.connect(self._show_set)
         self.chart = Chart("T [s]", "S_a [g]", tr("Mean over the spectrum"), live=True)
         self.buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
@@ -147,8 +147,7 @@ class SelectionDialog(QDialog):
         job.failed.connect(lambda sentence, log: self.words.setText(f"{sentence} {log}".strip()))
         job.progressed.connect(lambda done, planned, left: self.bar.setValue(100 * done // max(planned, 1)))
         job.finished.connect(self._ended)
-        self.found = None
-        self.table.show_rows([])
+        self.show_found(None)
         self.chart.clear()
         self.words.setText(tr("Reading and searching…"))
         self._show_running(True)
@@ -176,27 +175,18 @@ class SelectionDialog(QDialog):
         self.ok.setEnabled(bool(self.taken))
 
     def _arrived(self, selection: Selection) -> None:
-        self.found = selection
         language = current_language()
         for most, show in ((MAX_REASONS_SHOWN, self.words.setText), (None, self.words.setToolTip)):
             lines = lines_of(
                 selection, lambda text, **values: localized("report", text, language, **values), language, most
             )
             show("\n".join(lines))
-        rows, colors = [], []
-        for one in selection.sets:
-            named = ", ".join(f"{Path(r.file).name} {r.channel} × {number(r.scale, 'g')}" for r in one.records)
-            rows.append(
-                [
-                    tr("kept") if one.fits else tr("not kept"),
-                    f"{number(100.0 * one.deviation, '.1f')} %",
-                    number(one.lowest[1], ".2f"),
-                    number(one.highest[1], ".2f"),
-                    named,
-                ]
-            )
-            colors.append([theme.current.good if one.fits else theme.current.bad, *[None] * 4])
-        self.table.show_rows(rows, colors)
+        self.show_found(selection)
+
+    def show_found(self, found: Selection | None) -> None:
+        """List the sets of a search, the first selected; None lists nothing."""
+        self.found = found
+        self.table.show_table(sets_of_selection(Words(current_language())), list(numbered_sets(found)))
         self.table.selectRow(0)
 
     def _show_set(self) -> None:

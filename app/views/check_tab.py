@@ -2,6 +2,7 @@
 done."""
 
 import html
+import itertools
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
@@ -34,14 +35,15 @@ from core.answer.answer import find_questions, ordered_runs
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
 from core.codes.assumption import Assumption
-from core.codes.eq9 import LABEL
 from core.codes.outcomes import OUTCOMES
 from core.known import require_value
+from core.report.note.words import Words
 from core.report.register_words import not_possible, reactions_line
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
 from core.report.verdict_words import lines_of, names_in, sentence_of, tone_of, write_headline
-from core.study.results import Q_SOURCES, StudyResult, WallResult
+from core.report.wall_tables import CheckRow, checks_of_wall, rows_of_checks, rows_of_comparison, rows_of_estimates
+from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import localized, word
 from core.units import G
@@ -57,8 +59,6 @@ MIN_PEAKS_HEIGHT = 130
 
 OF_THE_LAW = ("no_power_law", "narrow_si")
 """Warnings that are notes of an answer."""
-
-LAW_WORDS = {"q": "law_q", "q_slv": "law_q_slv"}
 
 
 class Whole(QWidget):
@@ -136,10 +136,7 @@ class CheckTab(ResultTab):
 
     def _checks_card(self) -> Card:
         """The checks as bars or as a table, the mechanisms in three lists, the peaks."""
-        self.table = Table(
-            tr("Checks"),
-            [tr("Method"), "ζ", tr("Outcome"), tr("Clause"), "q", tr("Capacity"), tr("Demand"), tr("Unit")],
-        )
+        self.table = Table(tr("Checks"), [])
         self.ladder = Ladder()
         self.more = QPushButton(tr("Table, Eq. 9 and research ▸"))
         self.more.setCheckable(True)
@@ -203,7 +200,7 @@ class CheckTab(ResultTab):
         self.drawer.show_facts(self._facts(result, wall, limits))
         rungs = [rung_of(check, check.name == verdict.governing, assessment.dynamic) for check in assessment.checks]
         self.ladder.show_rungs(rungs, verdict.zeta_target)
-        self.table.show_rows(*self._rows(result, wall))
+        self.table.show_table(checks_of_wall(Words(self.language)), self._rows(result, wall))
         self.peaks.caption = title_of(wall)
         if assessment.dynamic:
             self._show_peaks()
@@ -245,61 +242,10 @@ class CheckTab(ResultTab):
         if 0 <= round(x) < len(self.runs):
             self.record_picked.emit(self.runs[round(x)])
 
-    def _rows(self, result: StudyResult, wall: WallResult) -> tuple[list, list]:
-        """Rows of the table and their colours: checks, Eq. 9, what research estimates."""
-        rows, colors = [], []
-        for check, decides in require_value(wall.assessment).shown:
-            color = theme.current.good if check.passed else theme.current.bad
-            outcome = "no_number" if check.passed is None else "passed" if check.passed else "not_passed"
-            if check.name == "floor_sld":
-                outcome = "shown"
-            rows.append(
-                [
-                    word(check.label, self.language),
-                    digits(check.zeta),
-                    word(outcome, self.language),
-                    check.clause,
-                    digits(check.q),
-                    digits(check.capacity, 3),
-                    digits(check.demand, 3),
-                    check.unit,
-                ]
-            )
-            colors.append([None, color, color] + [None] * 5 if decides else [theme.current.quiet] * 8)
-        for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
-            if check:
-                outcome = word("passed" if check.passed else "not_passed", self.language)
-                rows.append(
-                    [
-                        word(source, self.language),
-                        digits(check.ratio),
-                        f"{outcome} ({word('comparison', self.language)})",
-                        LABEL,
-                        digits(check.q),
-                        digits(check.capacity / G, 3),
-                        digits(check.demand / G, 3),
-                        "g",
-                    ]
-                )
-                colors.append([theme.current.quiet] * 8)
-        for estimate in wall.estimates:
-            capacity = wall.model.threshold / G
-            wanted = require_value(result.demand).pga / G / estimate.q
-            between = ", ".join(said.text(self.language) for said in estimate.ranges)
-            rows.append(
-                [
-                    word(LAW_WORDS[estimate.quantity], self.language),
-                    digits(capacity / wanted),
-                    between,
-                    LABEL,
-                    digits(estimate.q),
-                    digits(capacity, 3),
-                    digits(wanted, 3),
-                    "g",
-                ]
-            )
-            colors.append([theme.current.quiet] * 8)
-        return rows, colors
+    def _rows(self, result: StudyResult, wall: WallResult) -> list[CheckRow]:
+        """Rows of the table: checks, Eq. 9, what research estimates."""
+        compared = rows_of_comparison(wall, self.language), rows_of_estimates(result, wall, self.language)
+        return [*rows_of_checks(wall, self.language), *itertools.chain(*compared)]
 
     def _mechanism(self, assessment) -> str:
         """Free to vibrate or restrained, T_0, and the side of FC."""

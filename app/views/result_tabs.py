@@ -4,7 +4,6 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
-from app.look import theme
 from app.look.charting import pg
 from app.look.labels import PlainLabel
 from app.look.language import number, tr
@@ -16,9 +15,10 @@ from app.views.zeta_rungs import digits
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.scale_free_law import law_of, loss_ratio, within
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
+from core.report.note.words import Words
+from core.report.record_tables import rules_of_codes
 from core.setting.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
-from core.text.sentence import word
 from core.units import CM, G
 
 DRAWN_PERIODS = np.linspace(0.0, 4.0, 401)
@@ -135,7 +135,7 @@ class SpectraTab(QWidget):
         super().__init__()
         self.language = language
         self.chart = Chart("T [s]", "S_a [g]", tr("Spectra"), live=True)
-        self.table = Table(tr("Compatibility"), [tr("Rule"), tr("Clause"), tr("Value"), tr("Limit"), tr("Outcome")])
+        self.table = Table(tr("Compatibility"), [])
         self.words = PlainLabel()
         self.words.setWordWrap(True)
         self.floor = Chart("T [s]", "S_a [g]", tr("Floor spectra"))
@@ -214,15 +214,6 @@ class SpectraTab(QWidget):
         self.chart.reset()
 
     def _show_rules(self, rules) -> None:
-        rows, colors = [], []
-        for rule in rules.rules if rules else ():
-            percent = 100.0 if rule.unit == "%" else 1.0
-            outcome = "shown" if rule.passed is None else "passed" if rule.passed else "not_passed"
-            color = None if rule.passed is None else theme.current.good if rule.passed else theme.current.bad
-            value = f"{number(percent * rule.value, '.3g')} {rule.unit}"
-            limit = "–" if rule.limit is None else f"{number(percent * rule.limit, '.3g')} {rule.unit}"
-            name, outcome_word = word(rule.name, self.language), word(outcome, self.language)
-            rows.append([name, rule.clause, value, limit, outcome_word])
-            colors.append([None, None, None, None, color])
-        self.table.show_rows(rows, colors)
+        rows = rules.rules if rules else ()
+        self.table.show_table(rules_of_codes(Words(self.language)), rows)
         self.table.setVisible(bool(rows))

@@ -1,13 +1,17 @@
 """A table whose cells copy into Word and Excel."""
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 from PySide6.QtGui import QColor, QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from app.look.language import tr
+from app.look import theme
+from app.look.language import number, tr
 from core.known import require_value
 from core.report.plain_cell import plain_cell
+from core.report.tables import WINDOW, DataTable
 
 SCROLL_BAR_ROOM = 24
 """What the widest column gives at last, for no scroll bar [px]."""
@@ -51,6 +55,15 @@ class Table(QTableWidget):
                     item.setForeground(QColor(colors[r][c]))
                 self.setItem(r, c, item)
         self.fit()
+
+    def show_table(self, table: DataTable, rows: Sequence[Any]) -> None:
+        """Fill it with the rows of a table, its heads with it."""
+        self.setColumnCount(len(columns := table.shown(WINDOW, rows)))
+        self.setHorizontalHeaderLabels([column.head for column in columns])
+        shades = {"good": theme.current.good, "bad": theme.current.bad, "quiet": theme.current.quiet}
+        tones = table.tones(WINDOW, rows)
+        colors = [[shades.get(tones.get((n, k), "")) for k in range(len(columns))] for n in range(len(rows))]
+        self.show_rows(table.words(WINDOW, rows, number), colors)
 
     def _head(self, column: int) -> str:
         return require_value(self.horizontalHeaderItem(column)).text()

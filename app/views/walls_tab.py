@@ -20,11 +20,13 @@ from core.answer.answer import answers_worst_first, collect_actions, worst_so_fa
 from core.codes.outcomes import OUTCOMES
 from core.known import require_value
 from core.report.columns import BY_KEY, Row
+from core.report.note.words import Words
 from core.report.stated.quantity import select_quantities, serialize
 from core.report.stated.verdicts import VERDICT, VerdictSource
-from core.report.verdict_words import names_in, outcome_of, tone_of
+from core.report.verdict_words import names_in, tone_of
+from core.report.wall_tables import variants_of_walls
 from core.study.results import StudyResult, WallResult, WallVerdict
-from core.study.variants import WallComparison, compare_walls
+from core.study.variants import compare_walls
 from core.text.sentence import localized, word
 from core.variation.limit_states import LIMIT_STATES
 
@@ -145,15 +147,7 @@ class WallsTab(ResultTab):
         self.table.setToolTip(tr("Click the name of a wall to open it, a column title to sort."))
         self.table.horizontalHeader().setSectionsClickable(True)
         self.table.horizontalHeader().sectionClicked.connect(self._sort)
-        self.pairs = Table(
-            tr("Before and after"),
-            [
-                tr("Wall"),
-                *(tr("before"), tr("ζ before"), tr("by")),
-                *(tr("after"), tr("ζ after"), tr("by")),
-                tr("changed"),
-            ],
-        )
+        self.pairs = Table(tr("Before and after"), [])
         self.pairs_title = PlainLabel(tr("Before and after"))
         below = QWidget()
         inside = QVBoxLayout(below)
@@ -208,7 +202,7 @@ class WallsTab(ResultTab):
         self._show_plan(result)
         pairs = compare_walls(result.verdicts)
         self.below.setVisible(bool(pairs))
-        self.pairs.show_rows([self._pair(result, pair) for pair in pairs])
+        self.pairs.show_table(variants_of_walls(Words(self.language), result), pairs)
 
     def _show_heading(self, result: StudyResult) -> None:
         """How many walls have each outcome, in the colour of the worst."""
@@ -281,15 +275,6 @@ class WallsTab(ResultTab):
             "–" if index is None else f"{number(index, '.2f')} {values['is_v_letter']}",
             *(digits(values.get(state)) for state in LIMIT_STATES),
         ]
-
-    def _pair(self, result: StudyResult, one: WallComparison) -> list[str]:
-        language = self.language
-        changed = ", ".join(word(f"key_{key}", language) for key in one.changed) or tr("nothing")
-        row = [wall_title(one.name)]
-        for verdict in (one.before, one.after):
-            code, label = outcome_of(result, verdict)
-            row += [word(code, language), digits(verdict.zeta_least), word(label, language) if label else "–"]
-        return [*row, changed]
 
     def _rank(self, wall: WallResult) -> tuple:
         """By the column chosen: numbers by their size, words as they are shown, what has none last."""

@@ -31,9 +31,11 @@ from core.report.cells import (
 from core.report.derived import Rows, cell_prefix
 from core.report.place_lines import place_of, states_of
 from core.report.rows import changed_cell, close_inputs, formula_row, heads
+from core.report.sheet_table import write_table
 from core.report.sheets import rule_word
 from core.report.tie_words import tie_lines
 from core.report.verdict_words import lines_of, sentence_of
+from core.report.wall_tables import limit_states_of_site
 from core.study.results import Q_SOURCES, RecordResult, StudyResult, WallResult
 from core.text.sentence import word
 from core.units import CM, G
@@ -91,23 +93,14 @@ def _demand(book: Book, sheet, result: StudyResult, row: int) -> tuple[Rows, int
 
 def _place(book: Book, sheet, result: StudyResult, row: int) -> int:
     """Write where the building stands, and the values of the limit states there; returns the next row."""
-    site, say = result.case.site, book.say
+    site = result.case.site
     if site is None:
         return row
     for label, words in place_of(site, book.language):
         text(sheet, row, 1, label)
         text(sheet, row, 3, words)
         row += 1
-    header(sheet, row, [say("Limit state"), f"T_R [{say('years')}]", "a_g [g]", "F0", "T_C* [s]"], 1, 18)
-    for state, *values in states_of(site):
-        row += 1
-        text(sheet, row, 1, state)
-        for column, (value, shape) in enumerate(
-            zip(values, ("0.00", "0.0000", "0.000", "0.000"), strict=True), start=2
-        ):
-            number(sheet, row, column, value, shape, color=QUIET)
-        rule(sheet, row, 1, 5)
-    return row + 1
+    return write_table(book, sheet, row, limit_states_of_site(book), states_of(site)) + 1
 
 
 def _wall(book: Book, sheet, result: StudyResult, wall: WallResult, demand: Rows, row: int) -> int:

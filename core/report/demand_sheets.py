@@ -27,9 +27,10 @@ from core.report.cells import (
     title,
 )
 from core.report.plots import DATA_COLUMN, add_series, new_chart
+from core.report.record_tables import rules_of_codes
+from core.report.sheet_table import write_table
 from core.report.uncertainty_text import interval_line, verdict_of
 from core.study.results import StudyResult, WallResult
-from core.text.catalogue import CATALOGUE
 from core.text.sentence import word
 from core.units import G
 
@@ -183,25 +184,7 @@ def spectral_compatibility(book: Book, result: StudyResult) -> None:
     name = target.name if target else ""
     verdict = say("The set is compatible") if compliance.compatible else say("The set is not compatible")
     text(sheet, 2, 1, f"{verdict}: {name}", bold=True, color=GOOD if compliance.compatible else BAD)
-    header(sheet, 4, [say("Rule"), say("Clause"), say("Value"), say("Limit"), say("Unit"), say("Outcome")], 1, 18)
-    row = 4
-    for item in compliance.rules:
-        row += 1
-        text(sheet, row, 1, word(item.name, book.language))
-        # a range of periods, no clause, stands where a value is only shown
-        comma = item.code == "shown" and CATALOGUE.comma(book.language)
-        clause = item.clause.replace(".", ",") if comma else item.clause
-        text(sheet, row, 2, clause, color=QUIET, size=9)
-        for column, value in ((3, item.value), (4, item.limit)):
-            if value is not None and item.unit == "%":
-                value *= 100.0
-            shape = {"%": "0.0", "g": "0.000", "s": "0.0", "": "0"}[item.unit]
-            number(sheet, row, column, value, shape)
-        text(sheet, row, 5, item.unit, color=QUIET, align="center")
-        outcome = "shown" if item.passed is None else "passed" if item.passed else "not_passed"
-        color = QUIET if item.passed is None else GOOD if item.passed else BAD
-        text(sheet, row, 6, word(outcome, book.language), bold=item.passed is not None, color=color)
-        rule(sheet, row, 1, 6)
+    row = write_table(book, sheet, 4, rules_of_codes(book), compliance.rules)
     low, high = compliance.period_range
     row = paragraph(
         sheet,

@@ -1,7 +1,9 @@
 """The sheet of the floors: what moves the walls above the ground, the code beside the records."""
 
-from core.report.cells import ACCELERATION, ACCENT, BAD, QUIET, RATIO, Book, header, number, paragraph, text, title
+from core.report.cells import ACCENT, BAD, QUIET, Book, paragraph, text, title
 from core.report.plots import DATA_COLUMN, add_series, new_chart, rows_below
+from core.report.sheet_table import write_table
+from core.report.wall_tables import modes_of_floor, motions_of_floor, numbered_modes
 from core.setting.floors import CHART_PERIODS, Floor
 from core.study.results import StudyResult
 from core.units import G
@@ -36,23 +38,9 @@ def floors(book: Book, result: StudyResult) -> None:
 def _floor(book: Book, sheet, floor: Floor, z: float, index: int, row: int) -> int:
     say = book.say
     title(sheet, row, say("z = {z:g} m", z=z), 12)
-    header(sheet, row + 1, [say("Mode"), "T [s]", "ξ [-]", "γψ [-]"], 1, 18)
-    row += 2
-    for k, mode in enumerate(floor.modes, start=1):
-        text(sheet, row, 1, str(k) + (f" ({say('estimate')})" if floor.estimated else ""))
-        for column, value in enumerate((mode.period, mode.damping, mode.participation), start=2):
-            number(sheet, row, column, value, ACCELERATION)
-        row += 1
+    row = write_table(book, sheet, row + 1, modes_of_floor(book), numbered_modes(floor)) + 1
     if floor.motions:
-        header(sheet, row, [say("Record"), "PGA [g]", "PFA [g]", "PFA/PGA"], 1, 18)
-        row += 1
-    for motion in floor.motions:
-        pga = motion.ground_pga or motion.pga
-        text(sheet, row, 1, motion.name)
-        number(sheet, row, 2, pga / G, ACCELERATION)
-        number(sheet, row, 3, motion.pga / G, ACCELERATION)
-        number(sheet, row, 4, motion.pga / pga, RATIO)
-        row += 1
+        row = write_table(book, sheet, row, motions_of_floor(book), floor.motions) + 1
     curves = []
     if floor.code_spectrum is not None:
         curves.append((say("code, C7.2.5"), floor.code_spectrum, BAD))

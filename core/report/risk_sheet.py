@@ -3,7 +3,9 @@
 from core.answer.answer import smallest_zetas
 from core.known import require_value
 from core.report.cells import ACCELERATION, QUIET, RATIO, Book, header, heighten, number, paragraph, rule, text, title
-from core.report.verdict_words import outcome_of, sort_results
+from core.report.sheet_table import write_table
+from core.report.verdict_words import sort_results
+from core.report.wall_tables import variants_of_walls
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
 from core.text.sentence import word
@@ -101,23 +103,8 @@ def _wall(book: Book, sheet, wall: WallResult, row: int) -> None:
 
 def _variants(book: Book, sheet, result: StudyResult, row: int) -> int:
     """The walls as they are beside the walls as they are designed."""
-    say, pairs, language = book.say, compare_walls(result.verdicts), book.language
+    pairs = compare_walls(result.verdicts)
     if not pairs:
         return row
-    title(sheet, row, say("Before and after"), 12)
-    heads = [say("Wall"), say("before"), "", "ζ", say("by"), say("after"), "", "ζ", say("by"), "", say("changed")]
-    header(sheet, row + 1, heads, 1, 30)
-    row += 1
-    for pair in pairs:
-        row += 1
-        text(sheet, row, 1, pair.name, wrap=True)
-        for column, verdict in ((2, pair.before), (6, pair.after)):
-            code, label = outcome_of(result, verdict)
-            text(sheet, row, column, word(code, language), bold=True)
-            number(sheet, row, column + 2, verdict.zeta_least, RATIO)
-            text(sheet, row, column + 3, word(label, language) if label else "–")
-        keys = ", ".join(word(f"key_{key}", language) for key in pair.changed) or say("nothing")
-        text(sheet, row, 11, keys)
-        heighten(sheet, row, (pair.name, 26))
-        rule(sheet, row, 1, LAST_COLUMN)
-    return row + 1
+    title(sheet, row, book.say("Before and after"), 12)
+    return write_table(book, sheet, row + 1, variants_of_walls(book, result), pairs, 30) + 1

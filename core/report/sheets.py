@@ -6,7 +6,6 @@ import platform
 from openpyxl.utils import get_column_letter
 
 from core.capacity.accuracy import HELD_TRIED, NOISE, PROMISED, TIMES_NOISE, Accuracy
-from core.ground.provenance import provenance
 from core.report.cells import (
     ACCELERATION,
     BAD,
@@ -25,9 +24,10 @@ from core.report.cells import (
     title,
 )
 from core.report.confirmed import unconfirmed_holds
+from core.report.record_tables import origin_of_records, records_as_read, rows_of_records
 from core.report.selection_rows import selection_rows
+from core.report.sheet_table import column_widths, write_table
 from core.report.stated.quantity import serialize
-from core.report.stated.records import RECORD
 from core.report.stated.walls import RUN, RunSource
 from core.study.results import StudyResult
 from core.text.sentence import localized, word
@@ -70,44 +70,17 @@ def status_word(book: Book, status: str) -> str:
 
 
 def records(book: Book, result: StudyResult) -> None:
-    """The ground motions as read, with their intensity measures and hashes."""
-    say = book.say
-    columns = [
-        (say("Record"), 24, "name", ""),
-        ("File", 34, "file", ""),
-        (say("Format"), 12, "format", ""),
-        ("Δt [s]", 9, "time_step_s", "0.00000"),
-        (say("Samples"), 9, "samples", WHOLE),
-        (say("Unit"), 8, "unit", ""),
-        ("PGA [g]", 9, "pga_g", ACCELERATION),
-        ("PGV [cm/s]", 9, "pgv_cm_s", RATIO),
-        ("PGD [cm]", 9, "pgd_cm", RATIO),
-        ("Arias [m/s]", 9, "arias_m_s", ACCELERATION),
-        ("D5-95 [s]", 9, "duration_5_95_s", RATIO),
-        ("SI [cm]", 9, "housner_intensity_cm", RATIO),
-        ("SHA-256", 20, "file_sha256", ""),
-    ]
-    widths = [width for _, width, _, _ in columns]
+    """The ground motions as read, with their intensity measures and hashes; event and station, blank for the engineer
+    where the files leave them open."""
+    table, rows = records_as_read(book), rows_of_records(result)
+    widths = column_widths(table)
     sheet = book.sheet("Records", widths, landscape=True)
-    title(sheet, 1, say("Ground motions"))
-    header(sheet, 3, [heading for heading, _, _, _ in columns], 1, 32)
-    row = 4
-    for pair in zip(result.motions, result.kinds, strict=True):
-        values = serialize(RECORD, pair)
-        for column, (_, _, key, shape) in enumerate(columns[:-1], start=1):
-            if shape:
-                number(sheet, row, column, values[key], shape)
-            else:
-                text(sheet, row, column, values[key], wrap=column < 3, align="center" if key == "unit" else "left")
-        heighten(sheet, row, (values["name"], 24), (values["file"], 34))
-        text(sheet, row, 13, values["file_sha256"][:16], size=8, color=QUIET)
-        rule(sheet, row, 1, len(widths))
-        row += 1
-    row += 1
+    title(sheet, 1, book.say("Ground motions"))
+    row = write_table(book, sheet, 3, table, rows, 32)
     row = paragraph(
         sheet,
-        row,
-        say(
+        row + 2,
+        book.say(
             "SI: integral of the 5 % pseudo-velocity from 0.1 to 2.5 s (Eq. 11), not divided by 2.4. "
             "PGV and PGD without baseline step: no meaning for uncorrected records. Nothing trimmed or "
             "resampled. SHA-256: first 16 digits of the file's hash; the whole one is in the JSON."
@@ -120,53 +93,11 @@ def records(book: Book, result: StudyResult) -> None:
         for warning in motion.warnings:
             line = f"• {motion.name}: {warning.text(book.language)}"
             row = paragraph(sheet, row, line, len(widths), 150)
-    row = _provenance(book, sheet, result, row + 1)
+    row = write_table(book, sheet, row + 1, origin_of_records(book), rows)
     if result.selection:
         selection_rows(book, sheet, result.selection, row + 2)
     sheet.freeze_panes = "A4"
     sheet.print_title_rows = "3:3"
-
-
-def _provenance(book: Book, sheet, result: StudyResult, row: int) -> int:
-    """Write what the files say of event and station; what they leave open is blank for the engineer. Returns the last
-    row."""
-    say = book.say
-    header(
-        sheet,
-        row,
-        [
-            say("Record"),
-            say("Event and station"),
-            say("Kind"),
-            say("Factor"),
-            say("Date"),
-            "",
-            say("Magnitude"),
-            "",
-            say("Distance"),
-            "",
-            say("Soil"),
-            "",
-            say("Filter"),
-        ],
-        1,
-        18,
-    )
-    for motion, kind in zip(result.motions, result.kinds, strict=True):
-        row += 1
-        where = provenance(motion)
-        text(sheet, row, 1, motion.name, wrap=True)
-        station = f"{where.event}, {where.station}".strip(", ")
-        text(sheet, row, 2, station, size=8, wrap=True)
-        heighten(sheet, row, (motion.name, 24), (station, 40))
-        text(sheet, row, 3, word(kind, book.language))
-        if result.demand:
-            number(sheet, row, 4, motion.scale * result.demand_required.scaling(motion), ACCELERATION)
-        cells = (where.date, where.magnitude, where.distance_km, where.site_class, where.filter_and_processing)
-        for column, value in zip((5, 7, 9, 11, 13), cells, strict=True):
-            text(sheet, row, column, value, size=8)
-        rule(sheet, row, 1, 13)
-    return row
 
 
 def results(book: Book, result: StudyResult) -> None:

@@ -2,7 +2,6 @@
 
 from copy import copy
 
-from core.codes.eq9 import LABEL
 from core.derivation.wall import deciding
 from core.ground.ground_motion import GroundMotion
 from core.report.assumption_table import heads, rows_of
@@ -27,12 +26,14 @@ from core.report.derived import cell_prefix
 from core.report.note.content import works
 from core.report.note.words import Words
 from core.report.rows import changed_cell
+from core.report.sheet_table import write_table
 from core.report.stated.quantity import select_quantities, serialize
 from core.report.stated.walls import WALL, WallResultSource
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of
 from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
-from core.study.results import Q_SOURCES, StudyResult, WallResult
+from core.report.wall_tables import checks_of_wall, rows_of_checks, rows_of_comparison
+from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G
 
@@ -190,33 +191,12 @@ def _link(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) ->
 
 def _governing(book: Book, sheet, result: StudyResult, wall: WallResult, row: int) -> int:
     """The wall with the lowest zeta: table of methods, verdict."""
-    say, assessment = book.say, wall.required_assessment
     label = f"{book.titled(wall.name)} – {word(wall.mechanism, book.language)}"
     title(sheet, row, label, 12)
     if risk := risk_of(result, wall):
         row = paragraph(sheet, row + 1, _risk_line(book, risk), LAST_COLUMN, 150, color=QUIET) - 1
-    top = row + 1
-    header(
-        sheet,
-        top,
-        [say("Method"), say("Clause"), "q", say("Capacity"), say("Demand"), say("Unit"), "ζ", say("Outcome")],
-        1,
-        18,
-    )
-    row = top
-    for check, decides in assessment.shown:
-        row += 1
-        values = (check.q, check.capacity, check.demand, check.unit, check.zeta, check.passed)
-        label = word(check.label, book.language)
-        _method_row(book, sheet, row, label, check.clause, values, decides, check.name == "floor_sld")
-    if any(wall.code_check):
-        row += 1
-        text(sheet, row, 1, say("For comparison only: Eq. 9 of the paper"), color=QUIET, italic=True, size=9)
-    for source, check in zip(Q_SOURCES, wall.code_check, strict=False):
-        if check:
-            row += 1
-            values = (check.q, check.capacity / G, check.demand / G, "g", check.ratio, check.passed)
-            _method_row(book, sheet, row, word(source, book.language), LABEL, values, False)
+    rows = [*rows_of_checks(wall, book.language), *rows_of_comparison(wall, book.language)]
+    row = write_table(book, sheet, row + 1, checks_of_wall(book), rows)
     row = paragraph(
         sheet,
         row + 2,
@@ -257,28 +237,6 @@ def _risk_line(book: Book, risk) -> str:
     if risk.index is not None:
         parts.append(f"IS-V {book.digits(risk.index, '.2f')} ({risk.letter})")
     return ", ".join(parts)
-
-
-def _method_row(book: Book, sheet, row: int, label: str, clause: str, values, decides: bool, no_outcome=False) -> None:
-    q, capacity, demand, unit, zeta, passed = values
-    color = INK if decides else QUIET
-    text(sheet, row, 1, label, color=color, wrap=True)
-    heighten(sheet, row, (label, COLUMN_WIDTHS[0]))
-    text(sheet, row, 2, clause, color=QUIET, size=8)
-    for column, value, shape in (
-        (3, q, RATIO),
-        (4, capacity, ACCELERATION),
-        (5, demand, ACCELERATION),
-        (7, zeta, RATIO),
-    ):
-        number(sheet, row, column, value, shape, color=color, bold=decides and column == 7)
-    text(sheet, row, 6, unit, color=QUIET, align="center")
-    outcome = "no_number" if passed is None else "passed" if passed else "not_passed"
-    if no_outcome:
-        outcome = "shown"
-    shade = QUIET if passed is None or not decides else GOOD if passed else BAD
-    text(sheet, row, 8, word(outcome, book.language), color=shade, bold=decides, size=9, align="center")
-    rule(sheet, row, 1, 8)
 
 
 def _warnings(book: Book, sheet, result: StudyResult, row: int, last: int, most: int = 7) -> int:

@@ -53,9 +53,7 @@ def test_that_the_records_of_the_set_take_the_place_of_those_there(base, opened,
     taken = tuple(replace(record, file=str((base / record.file).resolve())) for record in found.chosen.records)
 
     def accepted(dialog) -> int:
-        dialog.found = replace(found, sets=(replace(found.chosen, records=taken),))
-        dialog.table.show_rows([[""] * 5])
-        dialog.table.selectRow(0)
+        dialog.show_found(replace(found, sets=(replace(found.chosen, records=taken),)))
         return QDialog.DialogCode.Accepted
 
     monkeypatch.setattr(SelectionDialog, "exec", accepted)

@@ -1,12 +1,14 @@
 """Parts of the calculation note as data; document.py and pdf.py write them."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from core.derivation.faces import Shown
 from core.derivation.quantity import Quantity
+from core.report.tables import NOTE, DataTable
 from core.text.sentence import format_number
 
 
@@ -50,6 +52,13 @@ class Table:
     tones: dict[tuple[int, int], str] = field(default_factory=dict)
     walls: Sequence[int] = ()
     together: bool = False
+
+
+def table_of_rows(table: DataTable, rows: Sequence[Any], written: Callable[[float | None, str], str]) -> Table:
+    """A table as the note has it. written : a number in its form"""
+    columns = table.shown(NOTE, rows)
+    heads, widths = [column.head for column in columns], [column.width for column in columns]
+    return Table(heads, table.words(NOTE, rows, written), widths, table.tones(NOTE, rows))
 
 
 @dataclass(frozen=True)

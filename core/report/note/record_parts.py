@@ -1,14 +1,13 @@
 """Part of a note on its records: event, station, filter and scale of each, how motions were generated."""
 
-from core.ground.ground_motion import GroundMotion
-from core.ground.provenance import provenance
 from core.report.note import spectra_figure
-from core.report.note.parts import Figures, Heading, Paragraph, Part, Table
+from core.report.note.parts import Figures, Heading, Paragraph, Part, table_of_rows
 from core.report.note.words import Words
+from core.report.record_tables import origin_of_records, rows_of_records
 from core.report.selection_words import lines_of as lines_of_selection
+from core.report.tables import NOTE
 from core.setting.demand_input import find_generation_settings
 from core.study.results import StudyResult
-from core.units import G
 
 
 def record_parts(result: StudyResult, words: Words, brief: bool = False) -> list[Part]:
@@ -16,27 +15,13 @@ def record_parts(result: StudyResult, words: Words, brief: bool = False) -> list
     generated, and without the figure of the spectra"""
     if not result.motions:
         return []
-    say = words.say
-    heads = [
-        say("Record"),
-        say("Event and station"),
-        say("Date"),
-        "M",
-        say("Distance [km]"),
-        say("Filter [Hz], processing"),
-        say("PGA used [g]"),
-        say("Scale used"),
-        say("Kind"),
-    ]
-    rows = [_row(result, motion, kind, words) for motion, kind in zip(result.motions, result.kinds, strict=True)]
-    widths = (2.2, 2.4, 1.2, 0.6, 1.3, 1.9, 1.0, 1.0, 1.4)
-    unsaid = [k for k in range(len(heads)) if all(row[k] == "–" for row in rows)]
-    told = [k for k in range(len(heads)) if k not in unsaid]
-    table = Table([heads[k] for k in told], [[row[k] for k in told] for row in rows], [widths[k] for k in told])
+    say, rows, columns = words.say, rows_of_records(result), origin_of_records(words)
+    table = table_of_rows(columns, rows, words.number)
+    unsaid = columns.folded(NOTE, rows)
     all_made = brief and all(motion.format == "generated" for motion in result.motions)
     parts: list[Part] = [Heading(say("Records")), *([] if all_made else [table])]
     if unsaid and "natural" in result.kinds:
-        parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(heads[k] for k in unsaid)), "quiet"))
+        parts.append(Paragraph(say("No file states: {columns}.", columns=", ".join(unsaid)), "quiet"))
     if result.selection:
         parts += [Paragraph(line, "quiet") for line in lines_of_selection(result.selection, say, words.language)]
     parts += _generated(result, words)
@@ -50,17 +35,6 @@ def record_parts(result: StudyResult, words: Words, brief: bool = False) -> list
         parts.append(Paragraph(line))
     figure = None if brief else spectra_figure.spectra(result, words)
     return parts if figure is None else [*parts, Figures([figure])]
-
-
-def _row(result: StudyResult, motion: GroundMotion, kind: str, words: Words) -> list[str]:
-    """Cells of a record; a dash for what its file does not state."""
-    where = provenance(motion)
-    at_demand = result.demand_required.scaling(motion) if result.demand else 1.0
-    station = ", ".join(part for part in (where.event, where.station) if part)
-    date = where.date.split()[0] if where.date else ""
-    cells = station, date, where.magnitude, where.distance_km, where.filter_and_processing
-    pga, scale = words.number(at_demand * motion.pga / G, ".3f"), words.number(motion.scale * at_demand, ".3f")
-    return [motion.name, *(cell or "–" for cell in cells), pga, scale, words.word(kind)]
 
 
 def _generated(result: StudyResult, words: Words) -> list[Part]:

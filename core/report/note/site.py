@@ -7,13 +7,12 @@ from core.case.hold import Hold
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.codes.floor_spectrum import PLATEAU_END, PLATEAU_START, estimated_period
-from core.ground.floor_motion import Mode
 from core.known import require_value
-from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table
+from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table, table_of_rows
 from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
-from core.report.verdict_words import outcome_of
-from core.setting.floors import Floor, damaged_period_and_damping
+from core.report.wall_tables import limit_states_of_site, modes_of_floor, numbered_modes, variants_of_walls
+from core.setting.floors import damaged_period_and_damping
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls
 from core.units import G
@@ -45,20 +44,8 @@ def place(result: StudyResult, words: Words) -> list[Part]:
     site = result.case.site
     if site is None:
         return []
-    number = words.number
-    rows = [
-        (state, number(years, ".0f"), number(ag, ".3f"), number(f0, ".3f"), number(tc, ".3f"))
-        for state, years, ag, f0, tc in states_of(site)
-    ]
-    heads = [words.say("Limit state"), f"T_R [{words.say('years')}]", "a_g [g]", "F0", "T_C* [s]"]
-    return [Table((), place_of(site, words.language), (1, 4)), Table(heads, rows, (1, 1, 1, 1, 1))]
-
-
-def _accelerated(floor: Floor, mode: Mode, words: Words) -> str:
-    """S_e [g] of a mode, of the ground; a dash without a spectrum."""
-    if floor.spectrum is None:
-        return "–"
-    return words.number(float(floor.spectrum.ground.acceleration([mode.period], mode.damping)[0]) / G, ".3f")
+    states = table_of_rows(limit_states_of_site(words), states_of(site), words.number)
+    return [Table((), place_of(site, words.language), (1, 4)), states]
 
 
 def building(result: StudyResult, words: Words) -> list[Part]:
@@ -77,20 +64,8 @@ def building(result: StudyResult, words: Words) -> list[Part]:
             Step("T/T_1", factor, ".2f", "–", "C8.7.1.2.1.4", label=say("of the damaged building")),
             Step("ξ", damping, ".2f", "–", "C8.7.1.2.1.4", label=say("of the damaged building")),
         ]
-    rows = [
-        [
-            words.number(z, ".2f"),
-            str(k),
-            words.number(mode.period, ".3f"),
-            words.number(mode.damping, ".3f"),
-            words.number(mode.participation, ".3f"),
-            _accelerated(floor, mode, words),
-        ]
-        for z, floor in sorted(floors.items())
-        for k, mode in enumerate(floor.modes, start=1)
-    ]
-    heads = ["z [m]", say("Mode"), "T [s]", "ξ [-]", "γψ [-]", "S_e(T, ξ) [g]"]
-    table = Table(heads, rows, (1, 1, 1, 1, 1, 1))
+    rows = [row for _, floor in sorted(floors.items()) for row in numbered_modes(floor)]
+    table = table_of_rows(modes_of_floor(words), rows, words.number)
     counted = say(
         "C7.2.5 to C7.2.8, with sums over the modes k: a_Z,k = S_e(T_k, ξ_k) γψ √(1 + 4 ξ_k²), a_Z = √Σ a_Z,k². "
         "S_eZ(T, ξ) = √Σ S_eZ,k², S_eZ,k = A a_Z,k/(1 + (A − 1) r), A = 1.1 η(ξ)/√ξ_k, η = √(10/(5 + 100 ξ)) ≥ 0.55; "
@@ -178,16 +153,6 @@ def solids(wall: WallResult, words: Words, grouped: bool = False) -> list[Part]:
 
 def compare_variants_table(result: StudyResult, words: Words) -> list[Part]:
     """The walls as they are beside the walls as they are designed."""
-    say, rows = words.say, []
-    for one in compare_walls(result.verdicts):
-        row = [one.name]
-        for verdict in (one.before, one.after):
-            code, label = outcome_of(result, verdict)
-            by = words.word(label) if label else "–"
-            row += [words.word(code), words.number(verdict.zeta_least, ".2f"), by]
-        row.append(", ".join(words.word(f"key_{key}") for key in one.changed) or say("nothing"))
-        rows.append(row)
-    if not rows:
-        return []
-    heads = [say("Wall"), say("before"), "ζ", say("by"), say("after"), "ζ", say("by"), say("changed")]
-    return [Heading(say("Before and after"), 3), Table(heads, rows, (1.6, 1.7, 0.7, 1.6, 1.7, 0.7, 1.6, 2.2))]
+    pairs = compare_walls(result.verdicts)
+    table = table_of_rows(variants_of_walls(words, result), pairs, words.number)
+    return [Heading(words.say("Before and after"), 3), table] if pairs else []
