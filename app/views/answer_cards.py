@@ -117,11 +117,6 @@ class CostCard(Card):
         self.switch.setText(tr("so: ζ {zeta}     {instead}: ζ {lower}, {outcome}", **values))
 
 
-def costliest(rows: tuple[Assumption, ...]) -> Assumption | None:
-    """The row of an outcome that costs most at its other end: they are sorted by that."""
-    return next((row for row in rows if row.has_switch and row.zeta is not None), None)
-
-
 class Fact(NamedTuple):
     """An opener of the drawer: its label, what it says at a glance, and the lines behind it, as HTML."""
 

@@ -12,17 +12,7 @@ from app.look import theme
 from app.look.drawing import WallDrawing
 from app.look.labels import PlainLabel, RichLabel, escape_html
 from app.look.language import number, tr, wall_title
-from app.views.answer_cards import (
-    LINKS,
-    Card,
-    CostCard,
-    Drawer,
-    Fact,
-    ToDoCard,
-    costliest,
-    lay_out_row,
-    mechanism_lists,
-)
+from app.views.answer_cards import LINKS, Card, CostCard, Drawer, Fact, ToDoCard, lay_out_row, mechanism_lists
 from app.views.answer_lines import blocking_lines, link, no_dynamic_check, verdict_limitations
 from app.views.capacity_curve_chart import CapacityCurveChart
 from app.views.chart import Chart
@@ -31,7 +21,7 @@ from app.views.result_tab import ResultTab
 from app.views.runs import title_of
 from app.views.table import Table
 from app.views.zeta_rungs import digits, rung_of
-from core.answer.answer import find_questions, ordered_runs
+from core.answer.answer import costliest, find_questions, ordered_runs
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.schema import Generate
 from core.codes.assumption import Assumption

@@ -16,7 +16,8 @@ from app.views.answer_lines import link, say_in_window, verdict_color
 from app.views.result_tab import ResultTab
 from app.views.table import Table
 from app.views.zeta_rungs import digits
-from core.answer.answer import answers_worst_first, collect_actions, worst_so_far
+from core.answer.answer import Answer, answers_worst_first, collect_actions, worst_so_far
+from core.codes.assumption import format_value
 from core.codes.outcomes import OUTCOMES
 from core.known import require_value
 from core.report.columns import BY_KEY, Row
@@ -27,12 +28,14 @@ from core.report.verdict_words import names_in, tone_of
 from core.report.wall_tables import variants_of_walls
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import compare_walls
-from core.text.sentence import localized, word
+from core.text.sentence import localized, sentence, word
 from core.variation.limit_states import LIMIT_STATES
+from core.variation.measures import Measure
 
-OF_HINGE = ("name", "mechanism", "zeta_e", "verdict", "check", "q_set")
+OF_HINGE = ("name", "mechanism", "zeta_e", "verdict", "check")
+HANGS_ON = "hangs_on"
 OF_WALL = ("pga_c_g", "return_period_c_years", "is_v")
-KEYS = (*OF_HINGE, *OF_WALL, *LIMIT_STATES)
+KEYS = (*OF_HINGE[:-1], HANGS_ON, OF_HINGE[-1], *OF_WALL, *LIMIT_STATES)
 """Quantities of the results in the columns: about the hinge that decides, and of the whole wall."""
 MOST_IN_PLAN = 1000
 """Walls of a case among which one with a place in the key plan is looked for."""
@@ -129,8 +132,8 @@ class WallsTab(ResultTab):
                 tr("Mechanism"),
                 "ζ",
                 tr("Outcome"),
+                tr("hangs on, or lacks"),
                 tr("by"),
-                "q",
                 "PGA_C [g]",
                 "T_R,C",
                 "IS-V",
@@ -268,19 +271,29 @@ class WallsTab(ResultTab):
             word(values["mechanism"], language),
             digits(values["zeta_e"]),
             word(values["verdict"], language) if values["verdict"] else "–",
+            self._hangs_on(Answer(result, verdict)) if verdict and result else "–",
             method_of(wall, language),
-            digits(values["q_set"]),
             digits(values.get("pga_c_g"), 3),
             (risk.years if risk else None) or "–",
             "–" if index is None else f"{number(index, '.2f')} {values['is_v_letter']}",
             *(digits(values.get(state)) for state in LIMIT_STATES),
         ]
 
+    def _hangs_on(self, answer: Answer) -> str:
+        """The first measure of a wall that fails, else the input that costs most, with zeta at its other end."""
+        thing = answer.hangs_on
+        if isinstance(thing, Measure):
+            return thing.short.text(self.language)
+        if thing is not None:
+            other_end = format_value(thing, thing.other_end, self.language)
+            return f"{word(f'key_{thing.key}', self.language)}, {other_end}: ζ {digits(thing.zeta)}"
+        return sentence("short", "no_measure").text(self.language) if answer.verdict.measures == () else "–"
+
     def _rank(self, wall: WallResult) -> tuple:
         """By the column chosen: numbers by their size, words as they are shown, what has none last."""
         result, verdict = self.shown[0] if self.shown else None, self._verdict_of(wall)
         value = values_of(wall, verdict, result).get(KEYS[self.by])
-        if isinstance(value, str):
+        if isinstance(value, str) or KEYS[self.by] == HANGS_ON:
             return self.falling, 0.0, self._row(wall, verdict, result)[self.by]
         return (value is None) != self.falling, value or 0.0, ""
 

@@ -10,12 +10,14 @@ from typing import Any, NamedTuple
 from core.case.plausible import QUESTIONS
 from core.case.register import row_of_part
 from core.case.wall import Wall
+from core.codes.assumption import Assumption
 from core.codes.dynamic_check import DemandRun, DynamicCheck
-from core.codes.outcomes import min_if_all_known, severity_key
+from core.codes.outcomes import FAILS, OUTCOMES, min_if_all_known, severity_key
 from core.study.governing import governing_run
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import counted_walls, sort_by_severity
 from core.text.sentence import Sentence
+from core.variation.measures import Measure
 
 
 class Decision(NamedTuple):
@@ -89,10 +91,23 @@ class Answer:
         """The runs at the demand of what decides, by the model that decided: what overturns and the largest first."""
         return ordered_runs(self.decides.required_assessment.dynamic)
 
+    @cached_property
+    def hangs_on(self) -> Measure | Assumption | None:
+        """Of a wall that fails the first measure that makes it pass, of another one the input that costs most at its
+        other end; None where there is none."""
+        if OUTCOMES[self.governing.outcome].judgement == FAILS:
+            return next(iter(self.verdict.measures or ()), None)
+        return costliest(self.decides.required_assessment.verdict.assumptions)
+
     def _decision(self, k: int) -> Decision:
         wall = self.result.walls[k]
         verdict, row = wall.required_assessment.verdict, row_of_part(wall.part, wall.mechanism)
         return Decision(k, row.name, wall.part.hinge, verdict.code, verdict.governing, verdict.zeta_e)
+
+
+def costliest(rows: Iterable[Assumption]) -> Assumption | None:
+    """The row of an outcome that costs most at its other end: they are sorted by that."""
+    return next((row for row in rows if row.has_switch and row.zeta is not None), None)
 
 
 def answers_worst_first(result: StudyResult) -> list[Answer]:

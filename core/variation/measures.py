@@ -135,6 +135,12 @@ class Measure:
         return self.code == "measure_tie"
 
     @property
+    def short(self) -> Sentence:
+        """It in a table."""
+        heights = tuple(Number(height, ".4g") for height in self.heights)
+        return sentence("short", self.code, size=Number(self.size, ".4g"), zeta=Number(self.zeta), heights=heights)
+
+    @property
     def words(self) -> Sentence:
         """What it is, with its size and zeta."""
         diameter, thread = self.bar
