@@ -9,9 +9,9 @@ from app.look.language import current_language, describe_message, number, tr
 from core.case.schema import Case, Record
 from core.errors import InputError
 from core.ground.ground_motion import GroundMotion
-from core.report.note.words import Words
 from core.report.record_tables import RecordRow, records_as_read
 from core.report.tables import WINDOW
+from core.report.words import Words
 from core.setting.demand_input import generate_motions, read_demand
 from core.setting.plan import select_case_records
 from core.setting.record_input import read_records

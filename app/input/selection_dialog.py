@@ -33,9 +33,9 @@ from core.case.select import Select
 from core.case.writer import table_of
 from core.errors import InputError
 from core.file_names import key_of, name_of
-from core.report.note.words import Words
 from core.report.record_tables import numbered_sets, sets_of_selection
 from core.report.selection_words import lines_of
+from core.report.words import Words
 from core.setting.plan import select_case_records
 from core.setting.record_selection import Selection
 from core.text.sentence import localized

@@ -260,7 +260,7 @@ class ClientView(QDialog):
         from core.report.note.parts import Bars as PageBars
         from core.report.note.parts import Figures, Heading, Part
         from core.report.note.pdf import Note
-        from core.report.note.words import Words
+        from core.report.words import Words
 
         words = Words(current_language())
         figures = [one for side in self.sides if (one := wall_figures.drawing(side.wall, words))]

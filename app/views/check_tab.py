@@ -27,12 +27,12 @@ from core.case.schema import Generate
 from core.codes.assumption import Assumption
 from core.codes.outcomes import OUTCOMES
 from core.known import require_value
-from core.report.note.words import Words
 from core.report.register_words import not_possible, reactions_line
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of, verdict_of
 from core.report.verdict_words import lines_of, names_in, sentence_of, tone_of, write_headline
 from core.report.wall_tables import CheckRow, checks_of_wall, rows_of_checks, rows_of_comparison, rows_of_estimates
+from core.report.words import Words
 from core.study.results import StudyResult, WallResult
 from core.study.wall_verdict import zeta_by_hinge
 from core.text.sentence import localized, word

@@ -15,8 +15,8 @@ from app.views.zeta_rungs import digits
 from core.capacity.closed_forms import closed_form_q_eff
 from core.capacity.scale_free_law import law_of, loss_ratio, within
 from core.ground.response_spectrum import HOUSNER_PERIODS, pseudo_acceleration_spectrum
-from core.report.note.words import Words
 from core.report.record_tables import rules_of_codes
+from core.report.words import Words
 from core.setting.floors import CHART_PERIODS
 from core.study.results import StudyResult, WallResult
 from core.units import CM, G

@@ -21,11 +21,11 @@ from core.codes.assumption import format_value
 from core.codes.outcomes import OUTCOMES
 from core.known import require_value
 from core.report.columns import BY_KEY, Row
-from core.report.note.words import Words
 from core.report.stated.quantity import select_quantities, serialize
 from core.report.stated.verdicts import VERDICT, VerdictSource
 from core.report.verdict_words import names_in, tone_of
 from core.report.wall_tables import variants_of_walls
+from core.report.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.variants import compare_walls
 from core.text.sentence import localized, sentence, word

@@ -24,7 +24,6 @@ from core.report.cells import (
 )
 from core.report.derived import cell_prefix
 from core.report.note.content import works
-from core.report.note.words import Words
 from core.report.rows import changed_cell
 from core.report.sheet_table import write_table
 from core.report.stated.quantity import select_quantities, serialize
@@ -33,6 +32,7 @@ from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import risk_of
 from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
 from core.report.wall_tables import checks_of_wall, rows_of_checks, rows_of_comparison
+from core.report.words import Words
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import word
 from core.units import G

@@ -24,7 +24,7 @@ from core.report.note.parts import (
     path,
 )
 from core.report.note.pdf import Attachment, Note
-from core.report.note.words import Words
+from core.report.words import Words
 from core.text.sentence import Sentence, format_number
 from core.version import NAME, VERSION, commit, line
 

@@ -17,9 +17,9 @@ from core.report import json_report
 from core.report.note.brief import note
 from core.report.note.pdf import STANDARDS, Attachment, Note, Office
 from core.report.note.picture import MEGABYTES, SECONDS, TOO_MUCH, fault_of
-from core.report.note.words import Words
 from core.report.plain_cell import plain_cell
 from core.report.steps import Steps
+from core.report.words import Words
 from core.study.results import StudyResult
 from core.version import line
 

@@ -4,7 +4,7 @@ from core.codes.bending_outline import outlines, shown_rotation
 from core.codes.vertical_bending import bending
 from core.report.load_arrows import arrows
 from core.report.note.parts import Curve, Figure, Label, path
-from core.report.note.words import Words
+from core.report.words import Words
 from core.study.results import WallResult
 from core.wall.bending import hinges_of
 

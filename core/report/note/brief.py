@@ -26,9 +26,9 @@ from core.report.note.content import (
 from core.report.note.parts import Blanks, Heading, Item, Paragraph, Part, Table
 from core.report.note.record_parts import record_parts
 from core.report.note.wall_steps import Derivations
-from core.report.note.words import Words
 from core.report.register_words import not_possible
 from core.report.verdict_words import names_in, sentence_of, tone_of
+from core.report.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, hinge_location, sort_by_severity
 from core.text.sentence import Sentence, localized, word

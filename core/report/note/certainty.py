@@ -3,7 +3,7 @@
 from core.known import require_value
 from core.report import uncertainty_text
 from core.report.note.parts import Curve, Figure, Figures, Heading, Item, Part, Table, path
-from core.report.note.words import Words
+from core.report.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import sort_by_severity
 from core.variation.swings import Sensitivity

@@ -27,11 +27,11 @@ from core.report.note.parts import (
 )
 from core.report.note.record_parts import record_parts
 from core.report.note.wall_steps import Derivations
-from core.report.note.words import Words
 from core.report.place_lines import place_of
 from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import verdict_of
 from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
+from core.report.words import Words
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.units import G

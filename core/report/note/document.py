@@ -10,8 +10,8 @@ from core.packages import require
 from core.report.note.equation import MAX_LINE, equations, width
 from core.report.note.parts import Bars, Blanks, Box, Derivation, Figures, Heading, Item, Paragraph, Part, Table
 from core.report.note.pdf import picture
-from core.report.note.words import Words
 from core.report.steps import Steps
+from core.report.words import Words
 from core.report.xml_text import escape_for_xml
 from core.version import NAME
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from core.report.note.parts import Figure
-from core.report.note.words import Words
+from core.report.words import Words
 
 FIGURE_SIZES = {1: (8.1, 4.7), 2: (8.1, 4.7), 3: (5.5, 4.1), 4: (4.4, 3.0)}
 """Width and height of a figure by how many stand side by side [cm]."""

@@ -20,7 +20,7 @@ from core.packages import require
 from core.report.note.equation import IN_PDF, TYPST, rows
 from core.report.note.figure_geometry import laid_out
 from core.report.note.parts import Bars, Beside, Blanks, Derivation, Figures, Heading, Item, Part, Table
-from core.report.note.words import Words
+from core.report.words import Words
 from core.version import NAME, line
 
 TEMPLATE = Path(__file__).resolve().parents[3] / "resources" / "templates" / "note.typ"

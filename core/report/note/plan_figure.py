@@ -2,7 +2,7 @@
 
 from core.report.key_plan import Placed, centre_of, key_plan, size_of
 from core.report.note.parts import Figure, Figures, Heading, Label, Part, Table, path
-from core.report.note.words import Words
+from core.report.words import Words
 from core.study.results import StudyResult
 
 AWAY, MARGIN = 0.05, 0.14

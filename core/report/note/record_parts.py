@@ -2,10 +2,10 @@
 
 from core.report.note import spectra_figure
 from core.report.note.parts import Figures, Heading, Paragraph, Part, table_of_rows
-from core.report.note.words import Words
 from core.report.record_tables import origin_of_records, rows_of_records
 from core.report.selection_words import lines_of as lines_of_selection
 from core.report.tables import NOTE
+from core.report.words import Words
 from core.setting.demand_input import find_generation_settings
 from core.study.results import StudyResult
 

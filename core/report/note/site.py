@@ -9,9 +9,9 @@ from core.case.wall import Wall
 from core.codes.floor_spectrum import PLATEAU_END, PLATEAU_START, estimated_period
 from core.known import require_value
 from core.report.note.parts import Derivation, Heading, Paragraph, Part, Step, Table, table_of_rows
-from core.report.note.words import Words
 from core.report.place_lines import place_of, states_of
 from core.report.wall_tables import limit_states_of_site, modes_of_floor, numbered_modes, variants_of_walls
+from core.report.words import Words
 from core.setting.floors import damaged_period_and_damping
 from core.study.results import StudyResult, WallResult
 from core.study.variants import compare_walls

@@ -4,7 +4,7 @@ import numpy as np
 
 from core.codes.record_compatibility import LOWER_BOUND, UPPER
 from core.report.note.parts import Curve, Figure
-from core.report.note.words import Words
+from core.report.words import Words
 from core.study.results import StudyResult
 from core.units import G
 

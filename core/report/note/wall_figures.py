@@ -12,9 +12,9 @@ from core.known import require_value
 from core.report.load_arrows import arrows, tie_bars
 from core.report.note import arch_figure, bending_figure
 from core.report.note.parts import Curve, Figure, Label, path
-from core.report.note.words import Words
 from core.report.outlines import elevation_outlines, section_outlines
 from core.report.plots import thinned
+from core.report.words import Words
 from core.study.bar_histories import bar_histories
 from core.study.demand_histories import demand_histories
 from core.study.results import StudyResult, WallResult

@@ -12,7 +12,7 @@ from core.derivation.geometry import geometry
 from core.derivation.line import FULL, Columns, Line, Section
 from core.report.derivation_text import DerivationText
 from core.report.note.parts import Step
-from core.report.note.words import Words
+from core.report.words import Words
 from core.study.results import StudyResult, WallResult
 
 MAX_FORMULA = 150

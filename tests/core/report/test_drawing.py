@@ -11,7 +11,7 @@ from core.lab.research import figures, study_files
 from core.report.note import document
 from core.report.note.parts import Curve, Figure
 from core.report.note.wall_figures import elevation
-from core.report.note.words import Words
+from core.report.words import Words
 
 mpl = pytest.importorskip("matplotlib")
 

@@ -19,7 +19,7 @@ from core.report.note import figure_geometry
 from core.report.note.archive import note_as_pdf, note_attachments, note_of
 from core.report.note.parts import Curve, Figure, Heading, Item, Paragraph, Table
 from core.report.note.pdf import NO_DATE, Note, day_of, legible, picture
-from core.report.note.words import Words
+from core.report.words import Words
 from tests.conftest import ROOT
 
 pypdf = pytest.importorskip("pypdf")

@@ -6,11 +6,11 @@ import pytest
 
 from core.report.cells import Book
 from core.report.note.parts import table_of_rows
-from core.report.note.words import Words
 from core.report.record_tables import origin_of_records, records_as_read, rows_of_records, rules_of_codes
 from core.report.sheet_table import write_table
 from core.report.tables import NOTE, SHEET, WINDOW, DataColumn, DataTable
 from core.report.wall_tables import checks_of_wall, modes_of_floor, numbered_modes, rows_of_checks, variants_of_walls
+from core.report.words import Words
 from core.study.run import run
 from core.study.variants import compare_walls
 from tests.clauses_alone import parse_case
