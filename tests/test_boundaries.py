@@ -69,6 +69,7 @@ SHOWN_BY = {
     **{
         f"report/{name}": "tests/core/report/test_tables.py" for name in ("record_tables", "sheet_table", "wall_tables")
     },
+    "report/words": "tests/core/report/test_tables.py",
     "wall/load_kinds": "tests/core/wall/test_kinematics.py",
     "setting/held_shares": "tests/core/case/test_held_stretches.py",
     "case/above_holds": "tests/core/case/test_held_stretches.py",
@@ -261,7 +262,7 @@ SHOWN_BY = {
     "derivation/quantity": "tests/core/derivation/test_faces.py",
     **{
         f"report/note/{name}": "tests/core/report/test_note.py"
-        for name in ("content", "document", "equation", "parts", "site", "wall_figures", "wall_steps", "words")
+        for name in ("content", "document", "equation", "parts", "site", "wall_figures", "wall_steps")
     },
     **{f"report/note/{name}": "tests/core/report/test_pdf.py" for name in ("archive", "figure_geometry", "pdf")},
     "report/note/bending_figure": "tests/core/report/test_bending_figure.py",

@@ -1,7 +1,7 @@
 """Drawings of a wall: to scale with its dimensions, rocking, and the pictures of the mechanisms."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -16,6 +16,7 @@ from app.look.language import number
 from app.look.plan_drawing import paint_plan, plan_of
 from core.case.detached import make_leaf_wall
 from core.case.held_top import mirror_inward
+from core.case.hinges import WallPart
 from core.case.loads import Load
 from core.case.wall import Wall
 from core.codes.bending_outline import outlines, shown_rotation
@@ -62,6 +63,20 @@ def moving_blocks(held: HeldTop, rotation: float) -> list[list[QPointF]]:
     turned_by = min(abs(rotation), 0.9 * held.side(math.copysign(1.0, rotation)).last)
     blocks, side = outlines(strip, held.h1, turned_by), 1.0 if rotation >= 0.0 else -1.0
     return [[QPointF(side * (half - x), z) for x, z in block] for block in blocks]
+
+
+def part_moved(part: WallPart) -> list[list[QPointF]]:
+    """Outlines of the part of a wall that moves, turned, as `outline` gives them; none of a body that is no rectangle,
+    nor of what moves in plan or in another direction."""
+    wall = part.wall
+    if part.aspect or wall.has_shape or None in (wall.height_m, wall.thickness) or wall.kinematics.arches:
+        return []
+    if wall.kinematics.bends_up:
+        side = -1.0 if part.inward else 1.0
+        blocks = [[QPointF(side * p.x(), p.y()) for p in block] for block in bent_blocks(bending(wall.in_si)).blocks]
+    else:
+        blocks = [outline(require_value(wall.height_m), require_value(wall.thickness), wall.setback, SHOWN_TURNED)]
+    return [[QPointF(p.x(), p.y() + part.hinge) for p in block] for block in blocks]
 
 
 class Arrow(NamedTuple):
@@ -129,6 +144,9 @@ CLICK_MARGIN = 7.0
 MIN_WIDTH_OF_ELEVATION = 420
 """Width from which on the elevation of a body stands beside its section [px]."""
 
+SHOWN_TURNED = 0.12
+"""Rotation of the part that decides in a drawing [rad]."""
+
 HEIGHT_STEP = 0.05
 """Heights a load is dragged to are multiples of it [m]."""
 
@@ -170,6 +188,7 @@ class WallDrawing(QWidget):
         self.rotation = 0.0
         self._shown: tuple[Wall | None, list] = (None, [])
         self.leaf: Sequence = ()
+        self.turned_part: list[list[QPointF]] = []
         self.least_extent = (0.0, 0.0)
         """Room [m] that it has at least: of another drawing beside it, so that both have one scale."""
         self.setMinimumSize(QSize(90, 120))
@@ -179,13 +198,16 @@ class WallDrawing(QWidget):
         wall: Wall | None,
         hinges: Sequence[tuple[float, float | None]] = (),
         decides: tuple[float, str] | None = None,
+        moves: WallPart | None = None,
     ) -> None:
         """Draw this wall; what is not complete leaves the place empty. hinges : height [m] and zeta of each, where
-        it has more than the one at its base; decides : height of the one that decides, and the tone of its outcome.
+        it has more than the one at its base; decides : height of what decides, and the tone of its outcome; moves :
+        the part that decides, drawn as it moves.
         What is shown already is not painted again."""
-        if (wall, [*hinges, decides]) == self._shown:
+        if (wall, [*hinges, decides, moves]) == self._shown:
             return
-        self._shown, self.decides = (wall, [*hinges, decides]), decides
+        self._shown, self.decides = (wall, [*hinges, decides, moves]), decides
+        self.turned_part = part_moved(moves) if moves is not None else []
         self.size_of, self.arrows, self.holds, self.bars, self.hinges = None, [], [], [], list(hinges)
         self.body = BodyDrawing()
         self.bent, self.held, self.plan, self.leaf = Bent(), None, None, ()
@@ -216,11 +238,18 @@ class WallDrawing(QWidget):
         self.update()
 
     @property
+    def ends(self) -> tuple[float, float]:
+        """Left and right end of what is drawn [m], the part that decides as it moves with it."""
+        moved = [point.x() for block in self.turned_part for point in block]
+        left, right = self.body.ends
+        return min([left, *moved]), max([right, *moved])
+
+    @property
     def extent(self) -> tuple[float, float]:
         """Height and width of what is drawn [m]; a wall that rocks may lie down."""
         height, thickness, _ = self.size_of or (0.0, 0.0, 0.0)
         top = max([height, self.body.top, *(y for arrow in self.arrows for _, y in arrow.points)])
-        left, right = self.body.ends
+        left, right = self.ends
         return top, right - left if self.with_sizes else max(thickness + 1.1 * height, 2.0 * max(right, -left))
 
     def paintEvent(self, event) -> None:
@@ -258,6 +287,7 @@ class WallDrawing(QWidget):
         painter.setPen(QPen(quiet, 1.2, Qt.PenStyle.DashLine))
         for block in self.bent.blocks if self.rotation == 0.0 and self.with_sizes else ():
             painter.drawPolyline([place(point) for point in block])
+        self._draw_moved(painter, place)
         for line in self.leaf:
             painter.drawPolyline([place(QPointF(x, y)) for x, y in line])
         painter.setBrush(QColor(theme.current.bad))
@@ -282,6 +312,20 @@ class WallDrawing(QWidget):
         if seen is not None:
             self.body.draw_elevation(painter, seen, scale, self.hinges)
 
+    def _draw_moved(self, painter: QPainter, place: Callable[[QPointF], QPointF]) -> None:
+        """What decides as it moves, in the colour of its outcome."""
+        if self.rotation != 0.0 or not self.turned_part:
+            return
+        shade = QColor(getattr(theme.current, self.decides[1] if self.decides else "", theme.current.quiet))
+        fill = QColor(shade)
+        fill.setAlpha(40)
+        painter.setPen(QPen(shade, 1.2, Qt.PenStyle.DashLine))
+        painter.setBrush(fill)
+        for block in self.turned_part:
+            painter.drawPolygon(QPolygonF([place(point) for point in block]))
+        painter.setPen(QPen(QColor(theme.current.quiet), 1.2, Qt.PenStyle.DashLine))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+
     def _fit(self) -> tuple[QPointF, QPointF | None]:
         """Sets the scale; the middle of the base, and where s and z of the elevation are 0, None without it."""
         sizes = 34 if self.with_sizes else 8
@@ -292,7 +336,7 @@ class WallDrawing(QWidget):
         high = self.height() - 2 * sizes + (12 if self.with_sizes else -8)
         scale = min(high / top, room / (reach + last - first))
         wide = self.width() - (scale * (last - first) + 32 if self.has_elevation else 0.0)
-        middle = 0.5 * sum(self.body.ends) if self.with_sizes else 0.0
+        middle = 0.5 * sum(self.ends) if self.with_sizes else 0.0
         base = QPointF(0.5 * (wide - beside) + 8 - scale * middle, self.height() - sizes)
         self.scale, self.base_y = scale, base.y()
         return base, QPointF(wide + 8 - scale * first, base.y()) if self.has_elevation else None
@@ -317,7 +361,7 @@ class WallDrawing(QWidget):
                 self.spots.append((mark.area(place, -half).adjusted(-3.0, -3.0, 0.0, 3.0), "hold", mark.hold))
         for k, (level, _) in enumerate(self.hinges or [(0.0, None)]):
             around([(half - setback, level)], "hinge", k)
-        edge = self.body.ends[1]
+        edge = self.ends[1]
         around([(edge + 6.0 / self.scale, 0.1 * height), (edge + 20.0 / self.scale, 0.9 * height)], "height")
         around([(-half, -18.0 / self.scale), (half, -6.0 / self.scale)], "thickness")
 
@@ -410,7 +454,7 @@ class WallDrawing(QWidget):
         font = QFont(self.font())
         font.setPointSizeF(max(7.0, 0.9 * font.pointSizeF()))
         painter.setFont(font)
-        low, high = place(QPointF(self.body.ends[1], 0.0)), place(QPointF(self.body.ends[1], height))
+        low, high = place(QPointF(self.ends[1], 0.0)), place(QPointF(self.ends[1], height))
         x = low.x() + 10
         painter.drawLine(QPointF(x, low.y()), QPointF(x, high.y()))
         for y in (low.y(), high.y()):

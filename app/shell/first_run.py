@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QPushButton, QScrollArea, QVB
 
 from app.look import theme
 from app.look.drawing import outline
-from app.look.labels import PlainLabel
+from app.look.labels import PlainLabel, escape_html
 from app.look.language import tr
 from app.shell.files import EXAMPLE
 from app.work.draft import TO_BE_GIVEN
@@ -72,7 +72,7 @@ class WayIn(QFrame):
         super().__init__()
         shades = theme.current
         self.setObjectName("way")
-        edge = f"2px solid {shades.ink}" if first else "2px solid transparent"
+        edge = f"2px solid {shades.ink if first else shades.back}"
         self.setMaximumHeight(16 * self.fontMetrics().height())
         self.setStyleSheet(f"QFrame#way {{ background: {shades.back}; border: {edge}; border-radius: 6px; }}")
         inside = QVBoxLayout(self)
@@ -179,10 +179,10 @@ class FirstRun(QScrollArea):
         for name, text in names.items():
             button = QPushButton(text)
             button.setFlat(True)
-            button.setToolTip(name if Path(name).is_absolute() else "")
+            button.setToolTip(escape_html(name if label == tr("Lately") else text))
             button.setStyleSheet(f"QPushButton {{ color: {theme.current.curves[0]}; padding: 2px 6px; }}")
             button.clicked.connect(lambda _=False, name=name: follow(name))
-            self.buttons.setdefault(name, button)
+            self.buttons[name] = button
             row.addWidget(button)
         row.addStretch(1)
         return row

@@ -159,7 +159,8 @@ class CheckTab(ResultTab):
         self.shown, assessment = (result, wall), wall.assessment
         self.peaks.clear()
         self.curve.show_in_place_of(self.peaks, result, wall)
-        self.drawing.show_wall(wall.part.body, zeta_by_hinge(result, wall))
+        at, moves = (wall.part.hinge, tone_of(result, wall)), wall.part if assessment is not None else None
+        self.drawing.show_wall(wall.part.body, zeta_by_hinge(result, wall), at if moves else None, moves)
         for widget in (self.checks, self.more, self.zeta):
             widget.setVisible(assessment is not None)
         origin = wall.part.origin

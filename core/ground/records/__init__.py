@@ -45,6 +45,10 @@ MAX_PGA = 20.0 * G
 """Above this peak [m/s2] a file is not what it is said to be."""
 
 
+PLAIN = "plain text"
+"""Title of what is read by its columns alone."""
+
+
 @functools.cache
 def readers() -> tuple[tuple[str, Callable, Callable], ...]:
     """(format, recognises(lines), read(lines, options)); the first that recognises the content reads it. Imported when
@@ -68,7 +72,7 @@ def readers() -> tuple[tuple[str, Callable, Callable], ...]:
         ("CSMNC", networks.recognises_csmnc, networks.read_csmnc),
         ("BHRC", networks.recognises_bhrc, networks.read_bhrc),
         ("LabVIEW .lvm", labview.recognises, labview.read),
-        ("plain text", plain.recognises, plain.read),
+        (PLAIN, plain.recognises, plain.read),
     )
 
 
@@ -152,7 +156,11 @@ def _of_lines(content: bytes, lines: list[str], path: Path, options: Options, sc
     time_step = _agreed("time_step_s", parsed.time_step, options.time_step, parsed.lines)
     check_step(time_step)
     motion = parsed.values * UNITS[unit] * scale
-    warnings = [*parsed.warnings, *_doubts_as_read(parsed, time_step), *_doubts_of_motion(motion, time_step, scale)]
+    warnings = [
+        *parsed.warnings,
+        *_doubts_as_read(parsed, time_step, title == PLAIN),
+        *_doubts_of_motion(motion, time_step, scale),
+    ]
     _refuse_unused(options, title, parsed)
     if parsed.vertical:
         warnings.append(notice("vertical"))
@@ -195,11 +203,11 @@ def _parsed(lines: list[str], options: Options, ended: bool) -> tuple[str, Parse
     return title, parsed
 
 
-def _doubts_as_read(parsed: Parsed, time_step: float) -> list[Sentence]:
-    """Warnings of the samples in the file's unit. time_step [s]"""
+def _doubts_as_read(parsed: Parsed, time_step: float, plain: bool) -> list[Sentence]:
+    """Warnings of the samples in the file's unit. time_step [s]; plain : of no format that names the quantity"""
     warnings = [
         *samples.jumps(parsed.values),
-        *plausible.doubts(*_as_written(parsed, time_step)),
+        *plausible.doubts(*_as_written(parsed, time_step), plain),
         *plausible.misplaced(parsed.values, time_step, parsed.peak_time),
         *plausible.beyond_nyquist(time_step, parsed.corner),
     ]

@@ -9,7 +9,7 @@ from core.text.sentence import Sentence, notice
 
 WARNING_CODES = (
     *("repeats", "frozen", "coarse", "clipped", "one_sided_samples", "velocity_left", "rough", "spike"),
-    *("late", "pace", "peak_elsewhere", "beyond_nyquist"),
+    *("late", "pace", "content", "long_step", "peak_elsewhere", "beyond_nyquist"),
 )
 """Codes of the warnings given here."""
 
@@ -54,8 +54,20 @@ SPIKE, SPIKE_RANK = 4.5, 8
 LATE = 0.75
 """Share of the record that passes before half of the squares; 0.60 at most on the shelf."""
 
-SLOWEST, FASTEST = 0.4, 30.0
-"""Cycles a second of the strong part by its changes of sign; 1.0 to 22 on the shelf, 0.5 on the clay of Mexico City."""
+SLOWEST, PLAIN_SLOWEST, FASTEST = 0.4, 1.1, 30.0
+"""Cycles a second of the strong part by its changes of sign; 1.2 to 23 on the shelf, 0.5 on the clay of Mexico City; in
+a plain column, which may be of another quantity, SLOWEST is PLAIN_SLOWEST."""
+
+LOWEST_CONTENT, PLAIN_CONTENT, HIGHEST_CONTENT, BELOW = 1.0, 2.7, 40.0, 0.95
+"""Frequency [Hz] below which BELOW of the squared spectrum lies: 2.8 to 38 on the shelf, 1 on the clay of Mexico City,
+less of a velocity or of a step ten times too long, more of one ten times too short; in a plain column, which may be of
+another quantity, LOWEST_CONTENT is PLAIN_CONTENT."""
+
+LONGEST_STEP = 0.05
+"""Time step [s] above which no accelerogram is printed; 0.02 on the shelf, 0.04 of old films."""
+
+MOST_VELOCITY = 0.6
+"""Peak velocity over peak acceleration [s] of a plain column; 0.38 at most on the shelf, 0.57 of Chi-Chi's TCU068."""
 
 PEAK_TIME, NEAR_PEAK = 0.1, 0.02
 """How far from the time of the head [s] the peak is looked for, and by which share a sample there may be lower."""
@@ -71,9 +83,13 @@ def refuse_sorted(values: np.ndarray) -> None:
         raise RecordError("sorted_samples", n=values.size)
 
 
-def doubts(values: np.ndarray, time_step: float) -> list[Sentence]:
+def doubts(values: np.ndarray, time_step: float, plain: bool = True) -> list[Sentence]:
     """Warnings of samples that are no motion of a ground, though they are numbers.
-    values : in the unit of the file, shape (n,); time_step [s]"""
+
+    values : in the unit of the file, shape (n,)
+    time_step : [s]
+    plain : a column of which no format says that it is an acceleration
+    """
     if values.size < MIN_SAMPLES or not np.abs(values).max() > 0.0:
         return []
     values = values / np.abs(values).max()
@@ -83,7 +99,7 @@ def doubts(values: np.ndarray, time_step: float) -> list[Sentence]:
         *_held(values, *strong),
         *_one_sided(values),
         *_torn(values),
-        *_pace(values, time_step, *strong),
+        *(_pace(values, time_step, plain, *strong) or _content(values, time_step, plain)),
     ]
 
 
@@ -172,12 +188,29 @@ def _torn(values: np.ndarray) -> Iterator[Sentence]:
         yield notice("spike", sample=int(bend.argmax()) + 2)
 
 
-def _pace(values: np.ndarray, time_step: float, begin: int, end: int) -> Iterator[Sentence]:
+def _pace(values: np.ndarray, time_step: float, plain: bool, begin: int, end: int) -> list[Sentence]:
     """That no ground moves so slowly or fast, or that the end is strongest. begin, end : of the strong part"""
+    found = []
     middle = int(np.searchsorted(np.cumsum(values**2), 0.5 * np.sum(values**2)))
     if middle > LATE * values.size:
-        yield notice("late", share=middle / values.size)
+        found.append(notice("late", share=middle / values.size))
     signs = np.sign(values[begin : end + 1] - values.mean())
     cycles = 0.5 * np.count_nonzero(signs[1:] * signs[:-1] < 0.0) / (max(signs.size - 1, 1) * time_step)
-    if not SLOWEST <= cycles <= FASTEST:
-        yield notice("pace", cycles=cycles, low=SLOWEST, high=FASTEST)
+    slowest = PLAIN_SLOWEST if plain else SLOWEST
+    if not slowest <= cycles <= FASTEST:
+        found.append(notice("pace", cycles=cycles, low=slowest, high=FASTEST))
+    return found
+
+
+def _content(values: np.ndarray, time_step: float, plain: bool) -> list[Sentence]:
+    """That the step is none of an accelerogram, or that what is read is another quantity, by the spectrum and by the
+    velocity."""
+    if time_step > LONGEST_STEP:
+        return [notice("long_step", step=time_step, most=LONGEST_STEP)]
+    squares = np.cumsum(np.abs(np.fft.rfft(values)) ** 2)
+    place = int(np.searchsorted(squares, BELOW * squares[-1]))
+    content, least = place / (values.size * time_step), PLAIN_CONTENT if plain else LOWEST_CONTENT
+    velocity = time_step * float(np.abs(np.cumsum(0.5 * (values[1:] + values[:-1]))).max())  # of a peak of 1
+    if least <= content <= HIGHEST_CONTENT and not (plain and velocity > MOST_VELOCITY):
+        return []
+    return [notice("content", content=content, low=least, high=HIGHEST_CONTENT, velocity=velocity)]

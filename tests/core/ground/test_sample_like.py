@@ -226,9 +226,22 @@ DAMAGE = {
 @pytest.mark.parametrize("every", [100, pytest.param(5, marks=pytest.mark.long)])
 def test_that_damage_one_could_see_is_refused_or_said(shelf, every):
     """Of every so many-th file of the shelf; all of it by the command of damage.py."""
-    _, silent, false = damage_all(motions(shelf, every))
+    told, silent, false = damage_all(motions(shelf, every))
     assert not silent
     assert not false
+    hidden = sum(counts["hidden"] for counts in told.values())
+    assert hidden <= 0.03 * sum(counts.total() for counts in told.values())  # 37 of 2 457 of the whole shelf
+
+
+def test_that_a_step_ten_times_too_long_or_short_is_doubted_in_a_format_too(tmp_path):
+    """The head of a PEER file says DT, and nothing beside it does."""
+    values = strong(np.random.default_rng(3)) / 981.0
+    for step, codes in ((0.01, set()), (0.02, set()), (0.1, {"long_step"}), (0.001, {"content", "pace"})):
+        head = ["PEER STRONG MOTION DATABASE RECORD", "A quake, a station, 000", "ACCELERATION IN UNITS OF G"]
+        rows = [" ".join(f"{a:14.7E}" for a in values[k : k + 5]) for k in range(0, values.size, 5)]
+        text = [*head, f"NPTS= {values.size}, DT= {step:.4f} SEC", *rows]
+        found = {warning.code for warning in read(text, tmp_path, {}).warnings}
+        assert (not codes and not found & {"long_step", "content"}) or found & codes, (step, found)
 
 
 def of_head(format: str, peak_time: float, corner: float, rng) -> tuple[str, float]:

@@ -9,7 +9,7 @@ from core.ground.records.grammar import Options
 from core.setting.demand_input import _read_spectrum
 
 TIMES = np.arange(600) * 0.02
-VALUES = np.round(np.sin(7.0 * TIMES) * np.exp(-(((TIMES - 5.0) / 2.0) ** 2)) * 0.27, 4)
+VALUES = np.round(np.sin(21.0 * TIMES) * np.exp(-(((TIMES - 5.0) / 2.0) ** 2)) * 0.27, 4)
 ONE = [f"{a:.4f}" for a in VALUES]
 TWO = [f"{t:.2f} {a:.4f}" for t, a in zip(TIMES, VALUES, strict=True)]
 FOUR = [f"{row} {a / 2:.4f} {a / 3:.4f}" for row, a in zip(TWO, VALUES, strict=True)]
