@@ -70,6 +70,7 @@ SHOWN_BY = {
         f"report/{name}": "tests/core/report/test_tables.py" for name in ("record_tables", "sheet_table", "wall_tables")
     },
     "report/words": "tests/core/report/test_tables.py",
+    "decoding": "tests/core/case/test_number_rows.py",
     "wall/load_kinds": "tests/core/wall/test_kinematics.py",
     "setting/held_shares": "tests/core/case/test_held_stretches.py",
     "case/above_holds": "tests/core/case/test_held_stretches.py",

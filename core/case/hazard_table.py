@@ -1,12 +1,12 @@
 """The hazard of a site as text: T_R [years], a_g [g], F_0, T_C* [s] in each row, as tables of NTC 2018 give it."""
 
 import itertools
-import re
 from pathlib import Path
 
-from core.case.number import parse_number
+from core.case.number_rows import read_number_rows
 from core.case.site import HazardRow
 from core.case.values import check_value
+from core.decoding import NoText, decode_text
 from core.errors import InputError, place
 from core.quantities import foreign_unit
 from core.regular_file import TooLarge, read_regular
@@ -17,28 +17,19 @@ COLUMN_UNITS = ("anni", "years", "yr", "g", "ag/g", "s", "sec", "-", "–")
 
 MAX_BYTES, MAX_ROWS = 100_000, 100
 
-_NUMBER_FIRST = re.compile(r"[+-]?[.,]?[0-9]")
-"""The beginning of a row: a head does not begin with a number."""
-
 
 def parse_hazard(text: str) -> tuple[HazardRow, ...]:
     """The rows of a text: two or four numbers each, with spaces, tabs or semicolons between them, and a head of words
     above, no line of which begins with a number. Raises InputError."""
-    rows = []
-    for number, line in enumerate(text.splitlines(), start=1):
-        separators = ";," if "." in line else ";"  # beside a point the comma is no decimal one
-        parts = line.translate(str.maketrans(separators, " " * len(separators))).split()
-        if not parts:
-            continue
+    table, rows = read_number_rows(text), []
+    for number, line in table.head:
+        if foreign := foreign_unit(line, COLUMN_UNITS):
+            raise InputError("hazard_units", unit=foreign[:40], place=(place("line", n=number),))
+    if table.wrong is not None:
+        number, line = table.wrong
+        raise InputError("hazard_line", text=line.strip()[:60], place=(place("line", n=number),))
+    for number, line, values in table.rows:
         here = place("line", n=number)
-        try:
-            values = [parse_number(part) for part in parts]
-        except InputError:
-            if rows or _NUMBER_FIRST.match(parts[0]):
-                raise InputError("hazard_line", text=line.strip()[:60], place=(here,)) from None
-            if foreign := foreign_unit(line, COLUMN_UNITS):
-                raise InputError("hazard_units", unit=foreign[:40], place=(here,)) from None
-            continue
         if len(values) not in (2, 4) or len(rows) == MAX_ROWS:
             raise InputError("hazard_line", text=line.strip()[:60], place=(here,))
         try:
@@ -65,7 +56,9 @@ def read_hazard(path: Path) -> tuple[HazardRow, ...]:
     try:
         if not path.is_file():
             raise InputError("no_hazard_file")
-        return parse_hazard(read_regular(path, MAX_BYTES).decode("utf-8-sig", "replace"))
+        return parse_hazard(decode_text(read_regular(path, MAX_BYTES)))
+    except NoText:
+        raise InputError("no_hazard_rows", place=(path,)) from None
     except TooLarge:
         raise InputError("hazard_too_large", place=(path,)) from None
     except OSError as error:

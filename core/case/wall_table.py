@@ -10,6 +10,7 @@ from typing import NamedTuple
 from core.case.many_walls import LazyWalls
 from core.case.wall import Wall
 from core.case.wall_columns import THOUSANDS, Head, is_units
+from core.decoding import NoText, decode_text
 from core.errors import InputError, place
 from core.ooxml.sheet import MAX_NAME, Limits, Sheet, hidden_notes, read_sheet, refuse_cells, spoken
 from core.quantities import unit_of
@@ -83,13 +84,9 @@ def read_table(path: Path, with_demand: bool = False, many: bool = False) -> Wal
 
 def _decoded(content: bytes) -> str:
     try:
-        if content[:2] in (b"\xff\xfe", b"\xfe\xff"):  # "Unicode text" of Excel
-            return content.decode("utf-16")
-        if b"\0" in content:
-            raise InputError("table_no_text")
-        return content.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return content.decode("cp1252", errors="replace")
+        return decode_text(content)
+    except NoText:
+        raise InputError("table_no_text") from None
 
 
 def _mark(text: str) -> str:
@@ -103,9 +100,9 @@ _DIGIT = re.compile(r"\d")
 _COMMA = re.compile(r"[+−-]?\d+,\d+(?!\d|,).*")
 
 
-def text_rows(text: str) -> list[list[str]]:
+def text_cells(text: str) -> list[list[str]]:
     """Cells of a text with `;`, tab or `,` between them, as Excel saves and copies it; a line `sep=;` on top says
-    which. A row that begins with # is a comment where no other cell has a digit."""
+    which. Raises InputError."""
     if said := _SEPARATOR.match(text):
         text, mark = "\n" + text[said.end() :], said[1]
     else:
@@ -114,9 +111,14 @@ def text_rows(text: str) -> list[list[str]]:
         raise InputError("table_too_large", rows=MAX_ROWS, columns=4 * MAX_COLUMNS)
     try:
         table = csv.reader(io.StringIO(text), delimiter=mark, strict=True)
-        rows = [[cell.strip() for cell in row] for row in table]
+        return [[cell.strip() for cell in row] for row in table]
     except csv.Error as error:
         raise InputError("not_a_table", reason=error) from None
+
+
+def text_rows(text: str) -> list[list[str]]:
+    """Rows of a table of walls. A row that begins with # is a comment where no other cell has a digit."""
+    rows = text_cells(text)
     rows = [[] if _is_comment(row) else row for row in rows]
     heads = next((row for row in rows if any(row)), [])
     for n, row in enumerate(rows, start=1):

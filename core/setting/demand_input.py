@@ -13,7 +13,7 @@ import numpy as np
 from core.capacity.limit_states import LIMIT_FRACTION
 from core.case.coordinates import parse_coordinates
 from core.case.hazard_table import read_hazard
-from core.case.number import parse_number
+from core.case.number_rows import read_number_rows
 from core.case.schema import Case, Generate
 from core.case.site import Demand, HazardRow
 from core.codes import target_spectrum
@@ -23,6 +23,7 @@ from core.codes.national_hazard import RETURN_PERIODS, SiteHazard, hazard_at
 from core.codes.record_compatibility import PERIOD_RANGE
 from core.codes.spectrum_codes import CODES, NATIONAL
 from core.codes.target_spectrum import Target
+from core.decoding import NoText, decode_text
 from core.errors import InputError, place, section
 from core.file_names import name_of
 from core.ground.artificial import compatible_motion
@@ -66,34 +67,28 @@ def read_target_spectrum(asked: Demand, base_dir: Path) -> Target | None:
 
 
 def _read_spectrum(path: Path) -> tuple[list[str], list[tuple[float, float]]]:
-    """The lines of words above the numbers of a file, and its (period [s], S_e [m/s2]): two columns, s and g, between
-    them blanks, a semicolon, or a comma where numbers have points."""
+    """The lines of words above the numbers of a file, and its (period [s], S_e [m/s2]): two columns, s and g."""
     try:
         if not path.is_file():
             raise InputError("no_spectrum_file", place=(path,))
-        lines = read_regular(path, MAX_SPECTRUM_BYTES).decode("utf-8-sig", "replace").splitlines()
+        table = read_number_rows(decode_text(read_regular(path, MAX_SPECTRUM_BYTES)))
     except TooLarge:
         raise InputError("spectrum_too_large", place=(path,)) from None
+    except NoText:
+        raise InputError("spectrum_line", text="", place=(path, place("line", n=1))) from None
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
-    head: list[str] = []
-    rows: list[tuple[float, float]] = []
-    for k, line in enumerate(lines, start=1):
-        parts = (line.replace(",", " ") if "." in line else line).replace(";", " ").split()
-        try:
-            period, ordinate = (parse_number(part) for part in parts)
-        except (InputError, ValueError):
-            wrong = foreign_unit(line, SPECTRUM_UNITS)
-            if not rows and re.search(r"\bfreq", line.lower()):
-                raise InputError("spectrum_units", unit="Hz", place=(path, place("line", n=k))) from None
-            if wrong and not rows:
-                raise InputError("spectrum_units", unit=wrong[:40], place=(path, place("line", n=k))) from None
-            if parts and (rows or parts[0][:1].isdigit()):
-                raise InputError("spectrum_line", text=line.strip()[:60], place=(path, place("line", n=k))) from None
-            head.append(line)
-            continue
-        rows.append((period, ordinate * G))
-    return head, rows
+    for number, line in table.head:
+        here, wrong = (path, place("line", n=number)), foreign_unit(line, SPECTRUM_UNITS)
+        if re.search(r"\bfreq", line.lower()):
+            raise InputError("spectrum_units", unit="Hz", place=here)
+        if wrong:
+            raise InputError("spectrum_units", unit=wrong[:40], place=here)
+    others = [(row.number, row.text) for row in table.rows if len(row.values) != 2]
+    if table.wrong is not None or others:
+        number, line = min([*others, *([table.wrong] if table.wrong else [])])
+        raise InputError("spectrum_line", text=line.strip()[:60], place=(path, place("line", n=number)))
+    return [line for _, line in table.head], [(row.values[0], row.values[1] * G) for row in table.rows]
 
 
 def read_demand(case: Case, base_dir: Path) -> SeismicDemand | None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from core.decoding import NoText, decode_text
 from core.errors import RecordError, place
 from core.text.sentence import Sentence, notice
 from core.units import G
@@ -86,39 +87,12 @@ def head_lines(head: str) -> list[str]:
     return [re.sub(r"[ \t]{3,}", "  ", line[: 4 * HEAD_LINE])[:HEAD_LINE] for line in head.splitlines()]
 
 
-_CONTROL = re.compile(rb"[\x00-\x08\x7f]")
-
-
-def _order_of_utf16(content: bytes) -> str:
-    """The order of the bytes, le or be, of a text in UTF-16 without its mark: of its first letters nearly each has a
-    zero byte beside it, and none stands elsewhere; "" of another file."""
-    start = content[:400]
-    zeros = [start[first::2].count(0) for first in (0, 1)]
-    if len(start) < 20 or min(zeros) > 0 or max(zeros) < 0.45 * len(start):
-        return ""
-    return "le" if zeros[1] else "be"
-
-
 def decode(content: bytes) -> list[str]:
-    """Lines of a text file: UTF-8 or UTF-16 by their marks, UTF-16 by its zeros, else UTF-8, else Latin-1.
-
-    Raises RecordError for a binary file.
-    """
-    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        text = content.decode("utf-16", errors="replace")
-    elif order := _order_of_utf16(content):
-        text = content.decode(f"utf-16-{order}", errors="replace")
-    else:
-        body = content.removeprefix(b"\xef\xbb\xbf").rstrip(b"\x00\x1a")
-        if _CONTROL.search(body[:4096]):
-            raise RecordError("binary_file")
-        try:
-            text = body.decode("utf-8")
-        except UnicodeDecodeError:
-            text = body.decode("latin-1")
-    if "\r" in text:
-        text = re.sub(r"\r+\n?", lambda run: "\n" * (1 if run[0][-1] == "\n" else len(run[0])), text)
-    return text.rstrip("\n").split("\n")
+    """Lines of a text file. Raises RecordError for a binary file."""
+    try:
+        return decode_text(content).rstrip("\n").split("\n")
+    except NoText:
+        raise RecordError("binary_file") from None
 
 
 GLUED = re.compile(r"(?<=[0-9.])(?=[+-])")

@@ -5,8 +5,6 @@ where the bodies are not the granite ones, bodies.csv. What is fitted is fitted 
 the other; intervals are of the bootstrap over events, since strengths of one motion are not independent.
 """
 
-import csv
-import io
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -14,7 +12,10 @@ from pathlib import Path
 
 import numpy as np
 
+from core.case.number import parse_number
+from core.case.wall_table import text_cells
 from core.child import Refused, bounded
+from core.decoding import decode_text
 from core.errors import InputError
 from core.lab.research.motion_archive import NO_MOTION, unpacked
 from core.regular_file import read_regular
@@ -182,11 +183,10 @@ def _rows(folder: Path, name: str, needed: tuple[str, ...]) -> list[dict[str, st
     """The rows of a table that has these columns, each as long as its head."""
     path = folder / name
     try:
-        text = read_regular(path, MAX_FILE_BYTES[name]).decode("utf-8-sig")
-        head, *rows = [row for row in csv.reader(io.StringIO(text), strict=True) if row]
+        head, *rows = [row for row in text_cells(decode_text(read_regular(path, MAX_FILE_BYTES[name]))) if any(row)]
     except OSError as error:
         raise InputError("unreadable", reason=error.strerror, place=(path,)) from None
-    except (UnicodeDecodeError, csv.Error, ValueError):
+    except (InputError, ValueError):
         raise InputError("validation_table", place=(path,)) from None
     if missing := next((key for key in needed if key not in head), None):
         raise InputError("validation_column", column=missing, place=(path,))
@@ -198,8 +198,8 @@ def _rows(folder: Path, name: str, needed: tuple[str, ...]) -> list[dict[str, st
 
 def _number(row: dict[str, str], key: str, place: Path) -> float:
     try:
-        value = float(row[key])
-    except ValueError:
+        value = parse_number(row[key])
+    except InputError:
         value = math.nan
     if not 1e-6 <= value <= 1e6:
         raise InputError("validation_number", column=key, test=row.get("test") or row["name"], place=(place,))

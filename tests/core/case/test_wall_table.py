@@ -276,6 +276,8 @@ def test_that_unicode_text_of_a_spreadsheet_is_read_or_refused_by_name(tmp_path)
     path.write_bytes(rows.encode("utf-16"))
     assert read_walls(path)[0].name == "è"
     path.write_bytes(rows.encode("utf-16-le"))
+    assert read_walls(path)[0].name == "è"
+    path.write_bytes(rows.encode("utf-32-le"))
     with pytest.raises(InputError, match="not text: save the table as"):
         read_walls(path)
 

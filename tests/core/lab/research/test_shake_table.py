@@ -143,7 +143,7 @@ def test_that_a_second_body_is_tried_with_the_setback_of_the_first(whole):
     [
         (lambda folder: (folder / "records.npz").unlink(), "unreadable"),
         (lambda folder: (folder / "records.npz").write_bytes(b"PK\x03\x04"), "validation_table"),
-        (lambda folder: (folder / "tests.csv").write_bytes(b"\xff\xfe\x00"), "validation_table"),
+        (lambda folder: (folder / "tests.csv").write_bytes(b"\xff\xfe\x00"), "validation_column"),
         (lambda folder: (folder / "tests.csv").write_text("test,event\n1,E1\n"), "validation_column"),
         (lambda folder: _replaced(folder, "overturned_1", "overturned_9"), "validation_body"),
         (lambda folder: _replaced(folder, "\n5,E0,", "\n5,E0,x"), "validation_number"),
