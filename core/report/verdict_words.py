@@ -2,12 +2,12 @@
 
 import functools
 
-from core.case.document import AnyEvidence
+from core.case.document import PRESENCE, STATED, STRENGTH, AnyEvidence
 from core.codes.outcomes import FAILS, OUTCOMES
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import hinge_location, sort_by_severity
 from core.text.catalogue import CATALOGUE
-from core.text.sentence import FormNames, Number, sentence, word
+from core.text.sentence import FormNames, Number, Sentence, sentence, word
 
 
 @functools.cache
@@ -49,6 +49,18 @@ def write_headline(wall: WallResult, language: str) -> str:
     line["tail"] = sentence("added", "nothing") if fails else values.get("tail", "")
     words = sentence("added", "headline", **line).text(language, names_in(language))
     return words[:1].upper() + words[1:]
+
+
+def say_in_note(action: Sentence) -> Sentence:
+    """What is to be done as a note says it: the kinds of the document by their names, not by those of a file."""
+    values = dict(action.values)
+    evidence = values.get("evidence")
+    asked_in = dict(evidence.values) if isinstance(evidence, Sentence) else {}
+    names = [kind for kind in str(asked_in.get("kinds", "")).split(" | ") if kind in (*PRESENCE, *STRENGTH, *STATED)]
+    if not names:
+        return action
+    kinds = sentence("added", "by_kinds", kinds=tuple(sentence("word", f"evidence_{kind}") for kind in names))
+    return sentence(action.group, action.code, **values | {"evidence": kinds})
 
 
 def outcome_of(result: StudyResult, verdict: WallVerdict) -> tuple[str, str | None]:

@@ -27,7 +27,7 @@ from core.report.note.parts import Blanks, Heading, Item, Paragraph, Part, Table
 from core.report.note.record_parts import record_parts
 from core.report.note.wall_steps import Derivations
 from core.report.register_words import not_possible
-from core.report.verdict_words import names_in, sentence_of, tone_of
+from core.report.verdict_words import names_in, say_in_note, sentence_of, tone_of
 from core.report.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, hinge_location, sort_by_severity
@@ -132,8 +132,11 @@ def _walls_table(result: StudyResult, ordered: Sequence[WallVerdict], words: Wor
 
 def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) -> list[Part]:
     """What the designer does next: each sentence once, with the walls it is of."""
-    rows = [  # with the keys of a file
-        (", ".join(verdict.title for verdict in walls), action.text(words.language))
+    rows = [
+        (
+            ", ".join(verdict.title for verdict in walls),
+            say_in_note(action).text(words.language, names_in(words.language)),
+        )
         for action, walls in collect_actions(result, ordered).items()
     ]
     if not rows:
