@@ -221,6 +221,10 @@ def stated_unit(head: str) -> Unit | None:
     return units[0] if units else None
 
 
+_ROTATED = re.compile(r"\b(?:gm)?rot_?[di]_?(?:[0-9]{1,3}|nn|pp)\b", re.IGNORECASE)
+"""RotD50, RotD100, GMRotI50: measures of all directions."""
+
+
 def refuse_other_quantity(head: str) -> None:
     """Raise RecordError where a header speaks of a velocity, a displacement, a rotation, ... or a spectrum, whatever
     else stands in it. A line that names the acceleration too is the head of a table; a record matched to a spectrum
@@ -230,6 +234,8 @@ def refuse_other_quantity(head: str) -> None:
         line = wordings.NOT_THE_SAMPLES.sub(" ", folded(raw))
         other = None
         if not _OF_A_TARGET.search(line):
+            if _ROTATED.search(line):
+                raise RecordError("rotated_spectra", line=quoted(raw))
             other = _SPECTRUM.search(line) or (plain and _PERIOD.search(line))
         said = other[0] if other else _other_of(line)
         if said:

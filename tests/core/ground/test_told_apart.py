@@ -36,6 +36,11 @@ REFUSED = {
     "a velocity among single blanks": ("other_quantity", ["Time (s) A (g) V (m/s) D (m)", *FOUR]),
     "a mass": ("other_quantity", ["time [s] acc (kg)", *TWO]),
     "volts over g": ("unit_not_read", ["time [s] acc [mV/g]", *TWO]),
+    "spectra of all directions": (
+        "rotated_spectra",
+        ["Period(s),RotD50(g),RotD100(g)", *(x.replace(" ", ",") for x in TWO)],
+    ),
+    "a column of them beside a time": ("rotated_spectra", ["time (s) GMRotI50 (g)", *TWO]),
     "digits": ("unit_not_read", ["time [s] acc [digit]", *TWO]),
 }
 OPTIONS = {"a velocity among single blanks": Options(column=3)} | {
