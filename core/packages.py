@@ -13,7 +13,7 @@ PACKAGES = {
     "accuracy": {"scipy": "scipy"},
     "parquet": {"pyarrow": "pyarrow"},
     "dxf": {"ezdxf": "ezdxf"},
-    "scheduler": {"distributed": "distributed"},
+    "scheduler": {"distributed": "distributed", "cryptography": "cryptography"},
 }
 """Extra -> module asked for and the package it is of."""
 

@@ -101,6 +101,7 @@ MEGABYTES = {
     "dask": (2, 17),
     "distributed": (1, 8),
     "tornado": (1, 6),
+    "cryptography": (4, 13),
     "shapely": (3, 9),
     "mypy": (14, 55),
     "ruff": (11, 32),

@@ -143,6 +143,8 @@ def open_dask_executor(word: str) -> Iterator[DaskExecutor]:
                     dashboard_address=OWN_SERVER,
                     silence_logs=logging.CRITICAL,
                     preload=NO_INTERRUPT,
+                    protocol="tls://",
+                    security=Security.temporary(),  # a certificate of this run: who has it not, runs nothing here
                 )
                 opened.enter_context(where)
             else:

@@ -504,3 +504,19 @@ def test_that_what_starts_here_listens_to_this_machine_alone_and_takes_no_port_o
                 one.laddr.ip for process in processes for one in process.net_connections("tcp4") if not one.raddr
             }
     assert open_to == {"127.0.0.1"}
+
+
+@pytest.mark.shows("batch.scheduler")
+@pytest.mark.parametrize("how", ["plain", "own certificate"])
+def test_that_a_strangers_process_runs_no_code_on_the_workers_of_a_run(how):
+    """Whoever is logged in to this machine reaches its ports: a scheduler of Dask runs what it is sent."""
+    from distributed import Client, Security
+
+    with open_dask_executor("local:1") as made:
+        address = made._client.scheduler.address
+        assert address.startswith("tls://127.0.0.1:")
+        stranger = {"security": Security.temporary()} if how == "own certificate" else {}
+        address = address if stranger else address.replace("tls://", "tcp://")
+        with pytest.raises((OSError, TypeError, ValueError)):
+            Client(address, timeout=2.0, set_as_default=False, **stranger)
+        assert made.submit(sum, (1, 2)).result() == 3
