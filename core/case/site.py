@@ -66,7 +66,7 @@ class Demand:
     site: str = text_key(form="site")
     coordinates: str = text_key(form="site")
     nominal_life_years: float | None = number_key(1.0, 1000.0, unit="years", form="site")
-    use_class_factor: float | None = number_key(0.1, 5.0, form="site")
+    use_class_factor: float | None = number_key(0.7, 5.0, form="site")
     return_period_years: float | None = number_key(1.0, 100000.0, unit="years", form="site")
     hazard: tuple[HazardRow, ...] = key("tables", (), of=HazardRow)
     hazard_file: str | None = path_key(None)

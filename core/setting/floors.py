@@ -21,7 +21,7 @@ ULTIMATE = (1.5, 0.10)
 """Period of the damaged building over the elastic one, and its damping: C8.7.1.2.1.4 has 1.5 to 2.0 and 10 to 20 % at
 the ultimate limit states."""
 
-LOW_CODE = 0.8
+LOW_CODE, FAR_BELOW = 0.8, 0.4
 """Share of the records' mean spectrum below which the code's is warned of."""
 
 CORNERS = ((1.5, 0.10), (1.5, 0.20), (2.0, 0.10), (2.0, 0.20))

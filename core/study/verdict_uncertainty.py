@@ -83,7 +83,8 @@ def _with_interval(
 ) -> Work:
     """Add to a verdict the interval of its records, that of the worst hinge; kept in the journal."""
     worst = results[verdict.governing]
-    dynamic = worst.assessment.dynamic if worst.assessment else None
+    decides = worst.assessment is not None and worst.assessment.verdict.governing == "dynamic"
+    dynamic = worst.assessment.dynamic if worst.assessment is not None and decides else None
     # where a wall fails at what is required and stands above, the share of multipliers around says nothing of a sample
     if dynamic is None or dynamic.zeta is None or dynamic.limited:
         return verdict

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
-from core.case.document import PRESENCE, STRENGTH
+from core.case.document import PRESENCE, STRENGTH, document_of
 from core.case.load_rules import carries
 from core.case.wall import Wall
 from core.codes.assumption import ARCH, DECLARED, LEFT_OUT, RESTRAINT, Assumption
@@ -21,7 +21,7 @@ from core.ground.record_folder import is_doubtful
 from core.known import require_value
 from core.mechanism.holds import BASE, ENDS, FOOT, STUB, TOP
 from core.setting.check_input import CheckInput
-from core.setting.floors import LOW_CODE, building_notes
+from core.setting.floors import FAR_BELOW, LOW_CODE, building_notes
 from core.text.sentence import Key, Number, Sentence, sentence
 from core.units import G
 from core.variation.assumptions import evaluate_assumptions
@@ -77,6 +77,7 @@ class Assessment:
     states : zeta at SLD, SLV and SLC by the hazard of the site, empty without it
     reactions : of what holds a wall that bends, where its strength is known
     loses_hold : what decides is a hold that gives way while the wall is at rest
+    beside : time histories where they decide nothing, None where they decide or are not made
     """
 
     kinematic: KinematicAnalysis | None
@@ -91,6 +92,7 @@ class Assessment:
     bound_passes: bool | None = None
     reactions: tuple[Reaction, ...] = ()
     loses_hold: bool = False
+    beside: DynamicCheck | None = None
 
     @property
     def shown(self) -> tuple[tuple[Check, bool], ...]:
@@ -149,14 +151,17 @@ def assess_evaluation(
             raised = (*raised, _of_the_restraint(evaluation, free))
         if (arch := kinematic.wall.arch) is not None:
             raised = (*raised, _of_the_arch(evaluation, arch))
-    why = (sentence("reason", "fails_elsewhere"),) if unlooked else ()
-    verdict = make_verdict(evaluation.evidence, bound, tuple(limits), raised, why)
+    why = [limit for limit in limits if _leaves_demand_open(limit, evaluation)]
+    limits = [limit for limit in limits if limit not in why]
+    why += [sentence("reason", "fails_elsewhere")] if unlooked else []
+    verdict = make_verdict(evaluation.evidence, bound, tuple(limits), raised, tuple(why))
     below = unheld.dynamic if unheld else None
     parts = (kinematic, evaluation.checks, dynamic, below, verdict, unasked, ratio, _capacity(evaluation))
     reactions = find_reactions(scene, evaluation.holds, evaluation.zeta, dynamic)
     if not scene.wall.bends:
         reactions = reactions_of_turning(scene, kinematic, dynamic, evaluation.zeta)
-    return Assessment(*parts, bound_passes=stands, reactions=reactions, loses_hold=evaluation.loses_hold)
+    found = Assessment(*parts, bound_passes=stands, reactions=reactions, loses_hold=evaluation.loses_hold)
+    return replace(found, beside=evaluation.beside)
 
 
 def _limits(
@@ -168,7 +173,8 @@ def _limits(
     if scene.floor is not None and scene.building is not None:
         limits += building_notes(scene.building, scene.demand.limit_state)
     if ratio is not None and ratio < LOW_CODE:
-        limits.append(sentence("reason", "code_below_records", ratio=ratio))
+        code = "code_far_below_records" if ratio < FAR_BELOW else "code_below_records"
+        limits.append(sentence("reason", code, ratio=ratio))
     if scene.bends_inward:
         outward, inward = (Number(scene.moving_to(side)[1].alpha0, ".3g") for side in ("outward", "inward"))
         limits.append(sentence("reason", "bends_inward_first", outward=outward, inward=inward))
@@ -179,6 +185,14 @@ def _limits(
     limits += [*_of_bending(kinematic, scene.wall, with_histories), *_of_ties_not_counted(evaluation)]
     limits += [] if unlooked else _of_ties_that_lower(evaluation, cancelled)
     return [*limits, *_of_a_thicker_wall(evaluation)]
+
+
+def _leaves_demand_open(limit: Sentence, evaluation: Evaluation) -> bool:
+    """Whether a limit says that the demand itself is not known: a short life that no document shows, without the
+    hazard; floors that move far less by the code than by the records, where a check by the code decides."""
+    if limit.code == "short_life":
+        return document_of(evaluation.scene.asked.evidence, "nominal_life_years") is None
+    return limit.code == "code_far_below_records" and evaluation.dynamic is None
 
 
 def _of_life_and_records(evaluation: Evaluation) -> list[Sentence]:

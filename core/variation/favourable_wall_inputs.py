@@ -37,6 +37,7 @@ from core.variation.favourable_input import (
 from core.variation.favourable_loads import favourable_ties_and_forces, favourable_weights
 from core.variation.favourable_site import favourable_building, favourable_demand
 from core.wall.kinematics import kinematics
+from core.wall.masonry import is_stable
 from core.wall.restitution import MODELS
 from core.wall.solids import clipped
 
@@ -183,7 +184,7 @@ def _of_the_edge(scene: CheckInput) -> Iterator[FavourableInput]:
         said = {"given": 100.0 * given, "cm": cm, "f": weakest}
         code = "lift_edge" if wall.thickness is not None else "lift_edge_of_body"
         # the clause permits a hinge nearer to the edge, and no masonry that its weight crushes through
-        stands = wall.thickness is None or least < 0.5 * wall.thickness
+        stands = wall.thickness is None or (least < 0.5 * wall.thickness and _stands_at(wall, least))
         yield single_alternative("hinge_setback_m", code, None, given, end, source, permitted=stands, **said)
     elif f > weakest:
         tested = scene.demand.confidence_factor < FULL_FACTOR  # then the strength is that of tests, as it must be
@@ -231,6 +232,15 @@ def turning_inside(given: Wall, setback: float, **values: Any) -> SceneChange:
         return scene.replace_parts(wall=replace(wall, **values, **(there if nearer else {})))
 
     return change
+
+
+def _stands_at(wall: Wall, setback: float) -> bool:
+    """Whether a wall stands at rest about a hinge so far inside the edge [m]: a lean may bring its weight beyond it."""
+    try:
+        moved = replace(wall, **_hinge_at(wall, setback)).in_si
+        return is_stable(moved.block, moved.restoring[0])
+    except InputError:
+        return False
 
 
 def _hinge_at(wall: Wall, setback: float) -> dict[str, Any]:

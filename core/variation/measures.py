@@ -317,9 +317,18 @@ def hold_floors(wall: Wall, force: float, heights: tuple[float, ...]) -> Wall:
     def is_there(hold: Hold) -> bool:
         return hold.h_m is not None and not hold.is_bar and any(abs(hold.h_m - height) <= NEAR for height in heights)
 
+    def connected(height: float) -> Hold:
+        """A floor at a height [m], as stiff, or as ductile, as what is connected there now."""
+        now = [hold for hold in wall.hold if is_there(hold) and abs((hold.h_m or 0.0) - height) <= NEAR]
+        stiffness = max((hold.stiffness_kn_m2 for hold in now if hold.stiffness_kn_m2 is not None), default=None)
+        yields = [hold.elongation_m for hold in now if hold.elongation_m is not None]
+        stretched = min(yields) if yields and len(yields) == len(now) else None
+        return Hold(
+            "floor", h_m=height, out_kn_m=force, stiffness_kn_m2=stiffness, elongation_m=stretched, evidence=SHOWN
+        )
+
     others = tuple(hold for hold in wall.hold if not is_there(hold))
-    held = tuple(Hold("floor", h_m=height, out_kn_m=force, evidence=SHOWN) for height in heights)
-    return replace(wall, hold=(*others, *held))
+    return replace(wall, hold=(*others, *map(connected, heights)))
 
 
 def hold_ends(wall: Wall, force: float) -> Wall:

@@ -31,7 +31,7 @@ from core.report.verdict_words import names_in, say_in_note, sentence_of, tone_o
 from core.report.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, hinge_location, sort_by_severity
-from core.text.sentence import Sentence, localized, word
+from core.text.sentence import Sentence, localized, sentence, word
 from core.variation.limit_states import LIMIT_STATES
 
 MAX_WALLS = 24
@@ -121,13 +121,22 @@ def _walls_table(result: StudyResult, ordered: Sequence[WallVerdict], words: Wor
         size = f"{number(wall.part.asked.height_m or wall.height, '.2f')} × {number(wall.thickness, '.2f')}"
         number_there = f"{places[verdict.governing]} " if verdict.governing in places else ""
         row = [f"{number_there}{verdict.title}, {size}", f"{words.word(wall.mechanism)}{place}"]
-        row += [number(found.zeta_e, ".2f"), number(verdict.zeta_least, ".2f"), by]
+        row += [number(found.zeta_e, ".2f"), number(verdict.zeta_least, ".2f"), by + _histories_beside(wall, words)]
         row += [number(verdict.states[state].zeta if state in verdict.states else None, ".2f") for state in states]
         rows.append([*row, words.word(found.code)])
         tones[n, 2] = tones[n, len(row)] = tone_of(result, wall)
     numbers = [verdict.governing for verdict in ordered]
     widths = (3.0, 3.3, 0.7, 0.9, 1.6, *[0.7] * len(states), 2.0)
     return Table(heads, rows, widths, tones, numbers)
+
+
+def _histories_beside(wall: WallResult, words: Words) -> str:
+    """What the time histories say beside the check that decides, of which they are no part."""
+    beside = wall.required_assessment.beside
+    if beside is None:
+        return ""
+    histories = sentence("short", "dynamic").text(words.language)
+    return f"; {histories} ζ {words.number(beside.zeta, '.2f')}"
 
 
 def _to_do(result: StudyResult, ordered: Iterable[WallVerdict], words: Words) -> list[Part]:

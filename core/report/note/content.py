@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterator, Sequence
 from itertools import groupby
 
 from core.case.document import document_of
+from core.case.register import SET_ASIDE
 from core.case.site import FULL_FACTOR
 from core.known import require_value
 from core.report import assumption_table, register_words
@@ -32,6 +33,7 @@ from core.report.tie_words import tie_lines
 from core.report.uncertainty_text import verdict_of
 from core.report.verdict_words import lines_of, sentence_of, sort_results, tone_of
 from core.report.words import Words
+from core.study.register import make_register
 from core.study.results import StudyResult, WallResult
 from core.text.sentence import localized
 from core.units import G
@@ -335,12 +337,23 @@ def set_aside_lines(result: StudyResult, words: Words) -> Iterator[str]:
     aside = dict.fromkeys(
         (wall.part.asked.title, entry) for wall in result.walls for entry in wall.part.asked.set_aside
     )
+    used = {
+        (result.walls[verdict.governing].part.asked.title, looked.row.why)
+        for verdict in result.verdicts
+        for looked in make_register(result, verdict)
+        if looked.row.status == SET_ASIDE
+    }
     for title, entry in aside:
         named = {"mechanism": localized("mechanism", entry.mechanism, words.language)}
         named["document"] = require_value(entry.evidence).words.text(words.language)
         low, high = (words.number(height, "g") for height in (entry.from_m or 0.0, entry.to_m))
         named["where"] = f"{low}–{high} m" if entry.to_m is not None else f"≥ {low} m"
-        yield words.say("{wall}: {mechanism}, {where}, is set aside, {document}", wall=title, **named)
+        if (title, require_value(entry.evidence).words) in used:
+            yield words.say("{wall}: {mechanism}, {where}, is set aside, {document}", wall=title, **named)
+        else:
+            yield words.say(
+                "{wall}: {mechanism}, {where}, is looked at: setting it aside has no effect", wall=title, **named
+            )
 
 
 def closing_parts(result: StudyResult, words: Words, new_page: bool = True) -> list[Part]:
