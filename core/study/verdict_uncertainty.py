@@ -16,6 +16,7 @@ from core.codes.demand import SeismicDemand
 from core.codes.dynamic_check import run_dynamic_check
 from core.codes.outcomes import FAILS, OUTCOMES, min_if_all_known
 from core.codes.record_sample import RecordPeaks, SampleInterval, record_peaks, sample_interval
+from core.errors import InputError
 from core.ground.provenance import MIN_STATIONS, station_of
 from core.setting.demand_input import rescaled_pga
 from core.setting.plan import FloorCache, Plan
@@ -23,13 +24,13 @@ from core.study.check_cache import CheckCache, check_key
 from core.study.journal import dataclass_from_json
 from core.study.progress import Progress
 from core.study.results import WallResult, WallVerdict
-from core.text.sentence import sentence
+from core.text.sentence import Number, sentence
 from core.threads import Batch, Work
 from core.variation.inverse_design import design_keys, find_target_value
 from core.variation.measures import find_measures
 from core.variation.sensitivity import evaluate_move, leave_one_out_moves, list_input_moves, summarise_sensitivity
 from core.variation.swings import Sensitivity, describe_swing_end
-from core.variation.wall_evaluation import make_wall_context
+from core.variation.wall_evaluation import WallContext, evaluate_wall, make_wall_context, replace_wall
 
 AG_RANGE = 0.01, 100.0
 """Least and largest multiple of a_g between which S follows it."""
@@ -66,16 +67,31 @@ def add_uncertainty(
 def add_measures(
     plan: Plan, base_dir: Path, demand: SeismicDemand, results: Sequence[WallResult], verdict: WallVerdict, journal
 ) -> Work:
-    """The work whose result is the verdict of a wall, of one that fails with what would make it pass; the parameters
-    are those of `add_uncertainty`."""
+    """The work whose result is the verdict of a wall, of one that fails with what would make it pass, of another one
+    with what it would come to but for what is set aside; the parameters are those of `add_uncertainty`."""
     worst = results[verdict.governing]
-    if OUTCOMES[worst.required_assessment.verdict.code].judgement != FAILS:
-        return verdict
     kept = CheckCache(journal) if journal else run_dynamic_check
     setting = make_wall_context(plan.case, worst.part.origin, base_dir, (demand, plan.motions, plan.kinds), kept)
+    if OUTCOMES[worst.required_assessment.verdict.code].judgement != FAILS:
+        lower = _zeta_with_set_aside(setting, verdict) if verdict.wall.set_aside else None
+        told = () if lower is None else (sentence("reason", "set_aside_has", zeta=Number(lower)),)
+        return replace(verdict, extra=(*verdict.extra, *told))
     sought = plan.case.wall[worst.part.origin].sought
     found = yield Batch({"measures": functools.partial(find_measures, setting, sought=sought)})
     return replace(verdict, measures=found["measures"])
+
+
+def _zeta_with_set_aside(setting: WallContext, verdict: WallVerdict) -> float | None:
+    """zeta of a wall by the checks of the clauses, what is set aside looked at; None where it is no lower than the
+    lowest there is, or not known."""
+    whole = replace(setting.case.wall[0], set_aside=(), hinge_heights=None)
+    try:
+        changed = replace(replace_wall(setting, whole), inputs=(setting.demand, [], []))
+        zeta = evaluate_wall(changed).zeta
+    except InputError:
+        return None
+    least = verdict.zeta_least
+    return zeta if zeta is not None and (least is None or zeta < least) else None
 
 
 def _with_interval(

@@ -85,6 +85,18 @@ def test_that_what_is_set_aside_though_it_is_looked_at_is_said_to_have_no_effect
         assert ("no effect" in line) != effect, line
 
 
+def test_that_what_is_set_aside_is_evaluated_by_the_clauses_and_its_zeta_stands_beside_the_outcome():
+    aside = [{"mechanism": "overturning", "from_m": 0.5, "evidence": {"kind": "calculation", "reference": "rel. 3"}}]
+    wall = {"thickness_m": 0.9, "length_m": 5.0}
+    wall |= {"steps": [{"from_z_m": 4.0, "thickness_m": 0.35, "flush": "inner"}]}
+    building = {"height_m": 7.0, "storeys": 2}
+    whole, _ = decided(wall, building=building, **OFF)
+    result, assessment = decided(wall | {"set_aside": aside, "hinge_heights": "base"}, building=building, **OFF)
+    assert assessment.verdict.zeta_e > 1.0 > whole.verdicts[0].zeta_least
+    (told,) = (limit for limit in result.verdicts[0].extra if limit.code == "set_aside_has")
+    assert dict(told.values)["zeta"].value == pytest.approx(whole.verdicts[0].zeta_least, rel=0.05)
+
+
 def test_that_the_first_page_tells_the_histories_that_stand_beside_the_check():
     result, assessment = decided(
         {"thickness_m": 0.9}, generate={"count": 4}, analysis={"histories": "beside"}, report={"extent": "brief"}
