@@ -11,7 +11,7 @@ from core.codes.assumption import GIVEN, DisplayValue
 from core.codes.kinematic import Check
 from core.known import require_value
 from core.setting.check_input import CheckInput
-from core.text.sentence import Number, Sentence, sentence
+from core.text.sentence import Number, Sentence, apart, sentence
 from core.variation.evaluate import Evaluation
 
 AlternativeEvaluations = list[Evaluation | None]
@@ -112,7 +112,7 @@ def demand_change(**values) -> SceneChange:
 
 def zeta_phrase(zeta: float | None) -> Number | Sentence:
     """zeta at another end within a sentence; where there is none, that the wall may not stand there."""
-    return sentence("added", "no_zeta") if zeta is None else Number(zeta)
+    return sentence("added", "no_zeta") if zeta is None else apart(zeta, 1.0)
 
 
 def check_phrase(check: Check) -> Sentence:

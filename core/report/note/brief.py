@@ -31,7 +31,7 @@ from core.report.verdict_words import names_in, say_in_note, sentence_of, tone_o
 from core.report.words import Words
 from core.study.results import StudyResult, WallResult, WallVerdict
 from core.study.wall_verdict import collect_assumptions, hinge_location, sort_by_severity
-from core.text.sentence import Sentence, localized, sentence, word
+from core.text.sentence import Sentence, apart, localized, sentence, word
 from core.variation.limit_states import LIMIT_STATES
 
 MAX_WALLS = 24
@@ -169,7 +169,11 @@ def _rests_on(result: StudyResult, ordered: Iterable[WallVerdict], words: Words)
         cells = []
         for k, (_, rows) in enumerate(of_walls, start=1):
             row = rows.get(key)
-            cells.append("" if row is None else _zeta_there(row, words) + ("" if row.open else " ✓"))
+            cells.append(
+                ""
+                if row is None
+                else _zeta_there(row, words, result.demand_required.zeta_target) + ("" if row.open else " ✓")
+            )
             if row is not None and row.open:
                 tones[n, k] = "bad"
         table.append([words.word(f"key_{key}"), *cells])
@@ -242,9 +246,12 @@ def _wall_pages(result: StudyResult, verdict: WallVerdict, shared: Sequence[str]
     return parts
 
 
-def _zeta_there(row: Assumption, words: Words) -> str:
-    """zeta at the other end of an input, the outcome there where it has none."""
-    return words.word(row.outcome).lower() if row.zeta is None else words.number(row.zeta, ".2f")
+def _zeta_there(row: Assumption, words: Words, target: float) -> str:
+    """zeta at the other end of an input, not rounded onto what is required; the outcome there where it has none."""
+    if row.zeta is None:
+        return words.word(row.outcome).lower()
+    shown = apart(row.zeta, target)
+    return words.number(shown.value, shown.form)
 
 
 def _turning_rows(result: StudyResult, verdict: WallVerdict, words: Words) -> list[Part]:
@@ -256,7 +263,7 @@ def _turning_rows(result: StudyResult, verdict: WallVerdict, words: Words) -> li
             words.word("together" if row.key == ALL_TOGETHER_KEY else f"key_{row.key}"),
             format_value(row, row.value, language),
             format_value(row, row.other_end, language),
-            _zeta_there(row, words),
+            _zeta_there(row, words, result.demand_required.zeta_target),
             format_value(row, row.reason, language) or ("–" if row.open else words.say("permitted")),
         ]
         for row in rows
