@@ -27,7 +27,7 @@ from core.units import G
 from core.variation.assumptions import evaluate_assumptions
 from core.variation.changes import has_own_thickness, rescale_thickness
 from core.variation.evaluate import Evaluation, check_by_histories, evaluate
-from core.variation.hold_check import Reaction, find_reactions
+from core.variation.hold_check import Reaction, find_open_impulse, find_reactions
 from core.variation.second_level import UnaskedRange, find_unasked_range
 from core.variation.turning_holds import reactions_of_turning
 from core.wall.arch import Arch
@@ -181,6 +181,8 @@ def _limits(
     limits += _of_life_and_records(evaluation)
     limits += _branch_remark(evaluation)
     limits += _hold_remark(evaluation)
+    if found := find_open_impulse(scene, evaluation.dynamic):
+        limits.append(sentence("reason", "impulse_open", impulse=found[0], stiffness=Number(1e-3 * found[1], ".3g")))
     with_histories = evaluation.dynamic is not None or evaluation.beside is not None
     limits += [*_of_bending(kinematic, scene.wall, with_histories), *_of_ties_not_counted(evaluation)]
     limits += [] if unlooked else _of_ties_that_lower(evaluation, cancelled)

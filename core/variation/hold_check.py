@@ -190,6 +190,19 @@ def check_of_holds(states: Sequence[HoldState], demand: SeismicDemand) -> Check 
     return Check("hold", HOLD_CLAUSE, "kN/m", 1e-3 * first.stands, 1e-3 * first.asked, first.share, passed)
 
 
+def find_open_impulse(scene: CheckInput, dynamic: DynamicCheck | None) -> tuple[float, float] | None:
+    """(the largest impulse [N s/m] at the demand on a hold at the top of which nobody says how stiff or ductile it is,
+    the stiffness [N/m2] up to which it stands it); None where there is none."""
+    limit = next((limit for limit in scene.hold_limits if limit.hold == TOP and not limit.presses), None)
+    if limit is None or dynamic is None or not scene.motions or not math.isfinite(limit.stands):
+        return None
+    declared, histories = scene.moving_to(limit.side)[0].declared, scene.held_histories
+    if declared.elongation is not None or declared.stiffness is not None:
+        return None
+    largest = histories.impulses(1.0)[0]
+    return (largest, histories.top_mass * (limit.stands / largest) ** 2) if largest > 0.0 else None
+
+
 def find_reactions(
     scene: CheckInput, states: Sequence[HoldState], zeta: float | None, dynamic: DynamicCheck | None
 ) -> tuple[Reaction, ...]:

@@ -112,3 +112,19 @@ def test_that_what_other_records_would_give_stands_only_where_histories_decide()
     assert assessment.verdict.governing == "dynamic" or verdict.interval is None
     result, _ = decided({"thickness_m": 0.9}, generate={"count": 7}, analysis={"histories": "beside"})
     assert result.verdicts[0].interval is None
+
+
+def test_that_a_brittle_hold_of_unknown_stiffness_is_said_to_take_an_impulse_that_nothing_is_compared_with():
+    shown = {"kind": "calculation", "reference": "rel. 4"}
+    holds = [{"kind": "floor", "h_m": 3.4}, {"kind": "roof", "h_m": 6.9}]
+    weight = {"kind": "vertical", "kn_m": 12.0, "d_m": 0.4, "h_m": 3.4, "mass": "none"}
+    base = {"thickness_m": 0.65, "load": [weight, weight | {"kn_m": 8.0, "h_m": 6.9}], "unloaded_confirmed": None}
+    told = {}
+    for stiffness in (None, 5000.0):
+        extra = {"stiffness_kn_m2": stiffness} if stiffness else {}
+        wall = base | {"hold": [hold | {"out_kn_m": 40.5, "evidence": shown} | extra for hold in holds]}
+        result, _ = decided(wall, building={"height_m": 7.0, "storeys": 2}, generate={"count": 4})
+        limits = [limit for each in result.walls for limit in each.required_assessment.verdict.limits]
+        told[stiffness] = [dict(limit.values) for limit in limits if limit.code == "impulse_open"]
+    assert told[None] and not told[5000.0]
+    assert all(values["impulse"] > 0.0 and values["stiffness"].value > 0.0 for values in told[None])
