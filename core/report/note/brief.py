@@ -37,6 +37,9 @@ from core.variation.limit_states import LIMIT_STATES
 MAX_WALLS = 24
 """Walls, the worst first, that have pages of their own."""
 
+FEW = 2
+"""Walls up to which the documents that show an input stand on the first page, in their own words."""
+
 MAX_COLUMNS = 12
 """Walls beside one another in the table of what their outcomes rest on."""
 
@@ -164,16 +167,12 @@ def _rests_on(result: StudyResult, ordered: Iterable[WallVerdict], words: Words)
     keys = dict.fromkeys(key for _, rows in of_walls for key in rows)
     if not keys:
         return []
-    table, tones = [], {}
+    table, tones, target = [], {}, result.demand_required.zeta_target
     for n, key in enumerate(keys):
         cells = []
         for k, (_, rows) in enumerate(of_walls, start=1):
             row = rows.get(key)
-            cells.append(
-                ""
-                if row is None
-                else _zeta_there(row, words, result.demand_required.zeta_target) + ("" if row.open else " ✓")
-            )
+            cells.append("" if row is None else _other_end(row, words, target, with_documents=len(of_walls) <= FEW))
             if row is not None and row.open:
                 tones[n, k] = "bad"
         table.append([words.word(f"key_{key}"), *cells])
@@ -183,6 +182,14 @@ def _rests_on(result: StudyResult, ordered: Iterable[WallVerdict], words: Words)
         Table(heads, table, (2.4, *[1.0] * len(of_walls)), tones),
         Paragraph(words.say("✓: shown by a document, or permitted by a clause; the others are to be shown."), "quiet"),
     ]
+
+
+def _other_end(row: Assumption, words: Words, target: float, with_documents: bool) -> str:
+    """zeta at the other end of an input, with a mark where it is shown or permitted, or with what shows it."""
+    zeta, reason = _zeta_there(row, words, target), format_value(row, row.reason, words.language)
+    if row.open:
+        return zeta
+    return f"{zeta} ✓ {reason}" if with_documents and reason else f"{zeta} ✓"
 
 
 def _shared_limits(result: StudyResult, ordered: Sequence[WallVerdict], words: Words) -> list[str]:

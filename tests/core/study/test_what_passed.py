@@ -128,3 +128,13 @@ def test_that_a_brittle_hold_of_unknown_stiffness_is_said_to_take_an_impulse_tha
         told[stiffness] = [dict(limit.values) for limit in limits if limit.code == "impulse_open"]
     assert told[None] and not told[5000.0]
     assert all(values["impulse"] > 0.0 and values["stiffness"].value > 0.0 for values in told[None])
+
+
+def test_that_the_first_page_has_the_words_of_the_documents_that_an_outcome_rests_on():
+    pull = {"kind": "thrust", "kn_m": -1.5, "h_m": 6.5}
+    shown = [{"of": "inward", "kind": "test", "reference": "not made"}]
+    wall = {"thickness_m": 0.75, "load": [pull], "unloaded_confirmed": None, "evidence": shown}
+    result, assessment = decided(wall, **OFF)
+    assert assessment.verdict.code in ("verified", "verified_refined")
+    cells = [cell for part in note(result, "en") if isinstance(part, Table) for row in part.rows for cell in row]
+    assert any(cell.endswith("by a test: not made") and "✓" in cell for cell in cells)
