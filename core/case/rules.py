@@ -206,6 +206,8 @@ def replace_walls(case: Case, walls: list[Wall], accepted: dict[int, AcceptedWal
     check_floors(case.building)
     names = set[str]()
     for wall in walls:
+        if not wall.name.strip():
+            raise InputError("blank_name", key="name")
         if wall.title in names:
             raise InputError("same_name", key="name", wall=wall.title)
         names.add(wall.title)

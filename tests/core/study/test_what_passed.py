@@ -138,3 +138,9 @@ def test_that_the_first_page_has_the_words_of_the_documents_that_an_outcome_rest
     assert assessment.verdict.code in ("verified", "verified_refined")
     cells = [cell for part in note(result, "en") if isinstance(part, Table) for row in part.rows for cell in row]
     assert any(cell.endswith("by a test: not made") and "✓" in cell for cell in cells)
+
+
+def test_that_a_name_of_blanks_is_none():
+    with pytest.raises(InputError) as refused:
+        parse_case({"wall": [WALL | {"name": " ", "thickness_m": 0.5}], "demand": DEMAND})
+    assert refused.value.code == "blank_name"
