@@ -62,6 +62,9 @@ def zetas_of(answer: Answer) -> set[float]:
         if wall.part.origin == answer.decides.part.origin:
             walk(wall.assessment)
             found |= {check.ratio for check in wall.code_check if check is not None}  # Eq. 9 beside them
+            kinematic = wall.assessment.kinematic if wall.assessment else None
+            if kinematic is not None and kinematic.without_ties is not None:  # in the results by this name
+                found.add(kinematic.without_ties.ratio)
     return found
 
 
