@@ -93,8 +93,8 @@ class Answer:
 
     @cached_property
     def hangs_on(self) -> Measure | Assumption | None:
-        """Of a wall that fails the first measure that makes it pass, of another one the input that costs most at its
-        other end; None where there is none."""
+        """Choose what its outcome hangs on: of a wall that fails the first measure that makes it pass, of another one
+        the input that costs most at its other end; None where there is none."""
         if OUTCOMES[self.governing.outcome].judgement == FAILS:
             return next(iter(self.verdict.measures or ()), None)
         return costliest(self.decides.required_assessment.verdict.assumptions)

@@ -32,7 +32,7 @@ class CheckRow(NamedTuple):
 
     @property
     def tone(self) -> str:
-        """Of zeta and outcome."""
+        """Return the tone of zeta and outcome: quiet of what does not count."""
         return "quiet" if self.passed is None or not self.counts else "good" if self.passed else "bad"
 
 
