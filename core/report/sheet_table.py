@@ -18,7 +18,7 @@ def column_widths(table: DataTable) -> list[float]:
     return [column.width for column in table.shown(SHEET)]
 
 
-def write_table(book: Book, sheet, row: int, table: DataTable, rows: Iterable[Any], height: int = 18) -> int:
+def write_table(book: Book, sheet, row: int, table: DataTable, rows: Iterable[Any], height: int = 32) -> int:
     """The head of a table in a row, and its rows below; returns the last."""
     columns = table.shown(SHEET)
     header(sheet, row, [column.head for column in columns], 1, height)
@@ -28,7 +28,8 @@ def write_table(book: Book, sheet, row: int, table: DataTable, rows: Iterable[An
         for k, column in enumerate(columns, start=1):
             value, color, wraps = column.of(each), COLORS[column.tone(each)], column.width >= WRAPS_FROM
             if isinstance(value, str):
-                text(sheet, row, k, value or NO_VALUE, wrap=wraps, color=color)
+                align = None if wraps else "center"  # apart from a number beside it
+                text(sheet, row, k, value or NO_VALUE, wrap=wraps, color=color, align=align)
                 wrapped += [(value, column.width)] if wraps else []
             else:
                 number(sheet, row, k, value, _format(column.number_form(each)), color=color)

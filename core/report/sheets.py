@@ -93,7 +93,7 @@ def records(book: Book, result: StudyResult) -> None:
         for warning in motion.warnings:
             line = f"• {motion.name}: {warning.text(book.language)}"
             row = paragraph(sheet, row, line, len(widths), 150)
-    row = write_table(book, sheet, row + 1, origin_of_records(book), rows)
+    row = write_table(book, sheet, row + 1, origin_of_records(book), rows, 46)
     if result.selection:
         selection_rows(book, sheet, result.selection, row + 2)
     sheet.freeze_panes = "A4"
